@@ -200,3 +200,18 @@ def test_a_free_radius_is_chosen_from_a_grid():
     found = flexcli.size(design(said, STRONG, size=grid))
     assert found.status is Status.PASS
     assert found.values["root_radius"].value in (0.3e-3, 0.6e-3)
+
+
+@pytest.mark.parametrize("radius", ["0.1 mm", "1 mm", "3 mm", "4 mm"])
+@pytest.mark.parametrize("kind", ["moment-blade", "rcc", "leaf-spring-stage"])
+def test_fillets_of_any_size_change_a_shift_as_exact_beams_have_it(kind, radius):
+    """Up to a third of the length: what of a blade bends is shorter, and less of it shortens."""
+    said = {"kind": kind, **BLADE, **JOINTS[kind], "root_radius": radius}
+    asked = {"parasitic_shift": {"max": "1 m"}}
+    closed, exact = (
+        flexcli.check(design(said, asked), model=model).checks[-1]
+        for model in ("closed-form", "exact")
+    )
+    assert closed.factor == pytest.approx(exact.factor, rel=0.01)
+    assert closed.factor_range[0] <= exact.factor_range[1]
+    assert exact.factor_range[0] <= closed.factor_range[1]

@@ -15,7 +15,7 @@ from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import CompliantClamps, Factor
 from flexcli.parts.geometries.base import MOVING, PIECE, ROUNDING, Held
 
-__all__ = ["Roots", "Shift", "compliant_clamps", "linked_clamps", "shift_within"]
+__all__ = ["CANCELS", "Roots", "Shift", "compliant_clamps", "linked_clamps", "shift_within"]
 
 Floats = NDArray[np.float64]
 

@@ -1,16 +1,22 @@
 """Filleted roots: change by fillets of a joint whose closed forms leave them out."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.linear import LinearSolution, linear
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import FilletedRoots
-from flexcli.parts.bending.compliant_clamps import Shift, shift_within
+from flexcli.parts.bending.compliant_clamps import CANCELS, Shift
 from flexcli.parts.geometries.base import MOVING, Held
 
 __all__ = ["filleted_roots"]
+
+Floats = NDArray[np.float64]
+
+OF_SHAPES = 0.03
+"""Error of what fillets change of a shift by the shortening of both shapes, a share of it."""
 
 PLACES = np.linspace(-1.0, 1.0, 201)
 """Places on every piece of a blade where the stress is evaluated: its maximum is smooth."""
@@ -35,9 +41,8 @@ def filleted_roots(
     (drive, stress), (stiffer, peak) = numbers
     arcs = [_turn(new) / _turn(old) - 1.0 for old, new in _pairs(plain, filleted)]
     ratio = max(_radius_share(blade) for blade in filleted.blades)
-    return FilletedRoots(
-        ratio, stiffer / drive, peak / stress, shift_within(min(arcs), max(arcs), shift), min(arcs)
-    )
+    moved = _shifted([_shortened(blade) for blade in filleted.blades], shift)
+    return FilletedRoots(ratio, stiffer / drive, peak / stress, moved, min(arcs))
 
 
 def _pairs(plain: Layout, filleted: Layout) -> list[tuple[Blade, Blade]]:
@@ -58,6 +63,44 @@ def _turn(blade: Blade) -> float:
     """Return the rotation of a blade per moment at its end, at E b = 1 [1/m²]."""
     l = _length(blade)
     return float(planar_compliance(blade.profile, E=1.0, l=l, b=1.0, a=l)[2, 2])
+
+
+def _shifted(shapes: list[tuple[float, float]], shift: Shift) -> tuple[float, float]:
+    """Return the range of the change of the shift by that of the shortening of both shapes."""
+    found = list[float]()
+    for pure, bent in shapes:
+        change = shift(pure, bent)
+        if change is None:
+            return -CANCELS * abs(pure), CANCELS * abs(pure)
+        found += [change * (1.0 - OF_SHAPES), change * (1.0 + OF_SHAPES)]
+    return min(found), max(found)
+
+
+def _shortened(blade: Blade) -> tuple[float, float]:
+    """Return the relative changes of the shortening of an arc and of an S, at given motions [-].
+
+    Of an arc what its slope is beside its mean, half the rotation, shortens it more or less.
+    """
+    l, s, curved = _length(blade), list[Floats](), list[Floats]()
+    for piece in blade.profile.pieces(l):
+        s.append(np.ravel(piece.position(PLACES)))
+        curved.append(1.0 / np.broadcast_to(piece.thickness(PLACES), PLACES.shape) ** 3)
+    places = np.concatenate(s)
+    softness = np.concatenate(curved) / np.max(np.concatenate(curved))
+    arc = _integrated(softness, places)
+    arc = arc / arc[-1] - 0.5
+    bent = _integrated(softness * (1.0 - 2.0 * places / l), places)
+    moved = float(np.trapezoid(bent, places))
+    return (
+        12.0 * float(np.trapezoid(arc**2, places)) / l - 1.0,
+        float(np.trapezoid(bent**2, places)) * l / moved**2 / 1.2 - 1.0,
+    )
+
+
+def _integrated(values: Floats, places: Floats) -> Floats:
+    """Return the integral of values from the first place to each."""
+    steps = np.diff(places) * (values[1:] + values[:-1]) / 2.0
+    return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _largest_stress(layout: Layout, solution: LinearSolution) -> float:
