@@ -14,7 +14,7 @@ from flexcli.numerics.rows import number, smaller
 from flexcli.parts.base import QuantityOf, spec_error
 from flexcli.parts.bending import Bending, CompliantClamps, WideBlades
 from flexcli.parts.bending.joined import Joined
-from flexcli.parts.bending.wide import wide_halves
+from flexcli.parts.bending.wide import halves_apart, wide_halves
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
@@ -84,7 +84,9 @@ class UnseparatedPivot(BladePair):
         def flat(l: float) -> float:
             return self.wide_blades(sizes._replace(l=l), nu).stiffness.value
 
-        crossed = solid_cross(self.blade(sizes), nu, self.crossing, self.half_angle, flat)
+        at = nu, self.crossing, self.half_angle
+        apart = halves_apart(self.blade(sizes), *at)
+        crossed = solid_cross(self.blade(sizes), *at, flat, apart)
         roots = super().compliant_clamps(sizes, nu)
         return crossed if roots is None else with_roots(crossed, roots)
 

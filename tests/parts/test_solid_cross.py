@@ -1,0 +1,102 @@
+"""Joined blades of one piece where they cross: the ranges of exact beams hold solids and planes."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import flexcli
+
+L, E = 0.1, 200e9
+MESHED = 0.02
+"""What the mesh of solids leaves too much of what a crossing stiffens."""
+
+MEANT = {"stiffness": {"min": "1 N*m/rad"}, "parasitic_shift": {"max": "1 m"}, "buckling": 1.0}
+
+
+def rows(name: str) -> Any:
+    return json.loads((Path(__file__).parent / name).read_text(encoding="utf-8"))
+
+
+def numbers(
+    joint: tuple[float, float, float, float], nu: float, asked: str, **case: Any
+) -> tuple[float, float, float]:
+    """Return a number [SI] of sizes over the length by corrected exact beams, and its range."""
+    h, b, crossing, degrees = joint
+    words = {
+        "flexure": 1,
+        "material": {"name": "drawn", "youngs_modulus": f"{E} Pa", "poisson_ratio": nu},
+        "geometry": {
+            "kind": "unseparated-cross", "h": f"{h * L!r} m", "l": f"{L} m", "b": f"{b * L!r} m",
+            "crossing": crossing, "half_angle": f"{degrees!r} deg",
+        },
+        "cases": {"work": case or {"stroke": {"rotation": "1e-6 rad"}}},
+        "requirements": {asked: MEANT[asked]},
+    }  # fmt: skip
+    (check,) = (
+        c
+        for c in flexcli.verdicts(json.dumps(words) + "\n", model="exact").checks
+        if c.name.startswith(asked.replace("_", " "))
+    )
+    assert check.factor_range is not None
+    low, high = check.factor_range
+    if asked == "parasitic_shift":  # the limit over the shift
+        return 1.0 / check.factor, 1.0 / high, 1.0 / low
+    return check.factor, low, high
+
+
+@pytest.mark.parametrize("row", rows("crossed_solids.json"))
+def test_the_stiffness_of_solids_is_in_the_range_of_exact_beams(row):
+    """``tests/benchmarks/crossed_solids.py``: halves that reach 0.5 h to 80 h beyond the crossing.
+
+    Beams that meet in a point are half as stiff at 72°.
+    """
+    *joint, rigid, some, most = row
+    h, b, *_ = joint
+    for nu, solid in ((0.0, rigid), (0.3, some), (0.45, most)):
+        value, low, high = (
+            each / (8.0 * E * b * h**3 * L**3 / 12.0) for each in numbers(joint, nu, "stiffness")
+        )
+        assert low <= solid <= high + MESHED * max(solid - 1.0, 0.1)
+        assert high - low < (0.02 + 0.7 * nu) * value  # and tells something
+
+
+@pytest.mark.parametrize("row", rows("plane_joints.json"))
+def test_the_stiffness_of_planes_is_in_the_range_of_exact_beams(row):
+    """``tests/benchmarks/plane_crossing.py``; as blades much narrower than thick are."""
+    h, crossing, degrees, nu, plane, _ = row
+    b = 0.01 * h
+    _, low, high = (
+        each / (8.0 * E * b * h**3 * L**3 / 12.0)
+        for each in numbers((h, b, crossing, degrees), nu, "stiffness")
+    )
+    assert low <= plane <= high
+
+
+@pytest.mark.parametrize("row", [row for row in rows("plane_joints.json") if row[2] != 52.0])
+def test_a_plane_of_joined_blades_moves_across_within_the_range_of_exact_beams(row):
+    """All that moves the centre at so small a stroke; beams alone have a fifth to forty times it.
+
+    At 52° and 59° what the crossing changes is as much as what there is.
+    """
+    h, crossing, degrees, nu, _, across = row
+    _, low, high = numbers((h, 0.01 * h, crossing, degrees), nu, "parasitic_shift")
+    assert low <= abs(across) * L * 1e-6 <= high
+    if nu == 0.0:
+        assert high / low < (2.5 if degrees == 59.19 else 1.2)  # and tells something
+
+
+@pytest.mark.parametrize("row", rows("crossed_buckling.json"))
+def test_what_buckles_solids_is_in_the_range_of_exact_beams(row):
+    """``tests/benchmarks/crossed_solids.py``: a force along the bisector, no turning."""
+    *joint, nu, across, solid = row
+    h, b, *_ = joint
+    _, low, high = (
+        each / (E * b * h**3 * L**2 / 12.0)
+        for each in numbers(
+            joint, nu, "buckling", ends="clamped-clamped" if across else "clamped-guided",
+            load={"force": "1 N", "direction": "180 deg"},
+        )
+    )  # fmt: skip
+    assert low <= solid <= high
