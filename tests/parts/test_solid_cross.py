@@ -1,12 +1,21 @@
 """Joined blades of one piece where they cross: the ranges of exact beams hold solids and planes."""
 
 import json
+from math import cos, radians, sin
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from pydantic import TypeAdapter
 
 import flexcli
+from flexcli.formulas.profile import Constant
+from flexcli.mechanics.equilibrium import solve
+from flexcli.mechanics.layout import Blade, Body, Layout
+from flexcli.mechanics.own_weight import POINTS
+from flexcli.mechanics.stresses import blade_stress
+from flexcli.parts.geometries import AnyGeometry
 
 L, E = 0.1, 200e9
 MESHED = 0.02
@@ -100,3 +109,54 @@ def test_what_buckles_solids_is_in_the_range_of_exact_beams(row):
         )
     )  # fmt: skip
     assert low <= solid <= high
+
+
+def most_in_crossing(degrees: float, crossing: float, rigid: float, turn: float) -> float:
+    """Return the largest bending in a crossing out to which blades are rigid, by exact beams."""
+    blades = []
+    for a in (radians(degrees), -radians(degrees)):
+        along = np.array([cos(a), sin(a)])
+        arms = {
+            ("ground", "cross"): (-crossing, -rigid),
+            ("cross", "moving"): (rigid, 1.0 - crossing),
+        }
+        for bodies, ends in arms.items():
+            places = [tuple((end * along).tolist()) for end in ends]
+            blades.append(Blade(f"{a} {ends}", *bodies, *places, Constant(1e-3), 1e-3))
+    bodies = (Body("cross", (0.0, 0.0)), Body("moving", (0.0, 0.0)))
+    state = solve(Layout(bodies, tuple(blades), 1.0, 0.4), {"moving": (None, None, turn)})
+    found = []
+    for blade in state.layout.blades:
+        stress = blade_stress(state, blade.name, POINTS)
+        s, bends = stress.s.ravel(), stress.bending.ravel()
+        root, next_to = (0, 1) if blade.first == "cross" else (-1, -2)
+        # a rigid piece bears what it is joined to, with a constant force across it
+        slope = (bends[next_to] - bends[root]) / abs(s[next_to] - s[root])
+        found.append(abs(bends[root] - rigid * slope))
+    return max(found)
+
+
+@pytest.mark.parametrize(
+    ("degrees", "crossing"), [(8.0, 0.35), (35.0, 0.2), (75.0, 0.35), (83.0, 0.5)]
+)
+@pytest.mark.parametrize("turn", [0.05, 0.3, 0.6])
+def test_a_turn_changes_what_a_crossing_adds_to_the_stress_within_its_error(
+    degrees, crossing, turn
+):
+    """By exact beams that begin beyond it: at 83° and 0.6 rad it is all lost."""
+    joint = TypeAdapter(AnyGeometry).validate_python({
+        "kind": "unseparated-cross", "h": "0.1 mm", "l": "20 mm", "b": "1 mm",
+        "crossing": crossing, "half_angle": f"{degrees} deg",
+    })  # fmt: skip
+    clamps = joint.compliant_clamps(joint.sized({}), 0.3)
+    at_rest, turned = (
+        most_in_crossing(degrees, crossing, 0.02, each)
+        / most_in_crossing(degrees, crossing, 0.0, each)
+        - 1.0
+        for each in (1e-4, turn)
+    )
+    told, most = clamps.turned
+    if turn <= most:
+        assert abs(turned / at_rest - 1.0) <= told * turn / (clamps.stiffness.high - 1.0)
+    else:
+        assert degrees == 83.0

@@ -202,8 +202,8 @@ class CompliantClamps(NamedTuple):
     shift: tuple[float, float]
     softest: float
     across: MovedAcross | None = None
-    turned: float = 0.0
-    """Error of the stress for each unit of travel [1/rad or 1/m]."""
+    turned: tuple[float, float] = (0.0, inf)
+    """Error of the stress for each unit of travel [1/rad or 1/m], and up to which travel."""
 
 
 class Thick(NamedTuple):

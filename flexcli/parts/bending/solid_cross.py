@@ -1,7 +1,7 @@
 """Blades that are one piece where they cross: what this changes of a joint."""
 
 from collections.abc import Callable
-from math import exp, inf, isfinite, pi, sin, tan
+from math import cos, exp, inf, isfinite, pi, sin, tan
 
 from flexcli.formulas import pivot
 from flexcli.formulas.plate_factors import bound
@@ -41,9 +41,13 @@ OF_SECOND, OF_THIRD = 0.1, 40.0
 """Errors of the shift: part of its second order in h/l, to which one is added; and over (h/l)³ of
 the shorter half and 1 + cot²α, by plane elements of whole joints."""
 
-TURNED = 2.5
-"""What a crossing changes of the stress otherwise at a rotation [1/rad]: exact beams that begin
-beyond it had 0.25 at 0.1 rad and less after it."""
+TURNED, TURNS_MOST = 0.09, 2.8
+"""What a rotation changes of what a crossing adds to the stress, over that and sin⁻² α cos⁻² α
+[1/rad], and the rotation up to which it is no more, over cot α [rad]: exact beams that begin beyond
+it had 0.073, from 5.5° to 84.5°, up to 0.7 rad."""
+
+TURNS_FAR = 0.7
+"""The largest rotation of those [rad]."""
 
 LESS_ALONG, MORE_ALONG = 10.0, 1.1
 """What shear and stretching take of the shift along the bisector, over (h/l)² of the shorter half
@@ -123,6 +127,7 @@ def solid_cross(
         off = second * (1.0 + OF_SECOND * abs(g))
         off += OF_THIRD * ratio**3 * (1.0 + tan(half_angle) ** -2.0)
         shift = min(shifted) + g * second - off, max(shifted) + g * second + off
+    turned = TURNED / (sin(half_angle) * cos(half_angle)) ** 2
     held = (1.0 - 1.5 * rigid / shortest) ** -2.0 if 1.5 * rigid < shortest else inf
     return CompliantClamps(
         ratio,
@@ -133,7 +138,7 @@ def solid_cross(
         shift,
         0.0,
         _across(blade, plane, crossing, half_angle, apart, (whole, whole * high)),
-        TURNED * (high - 1.0),
+        (turned * (high - 1.0), min(TURNS_FAR, TURNS_MOST / tan(half_angle))),
     )
 
 

@@ -119,18 +119,18 @@ class ClampCompliance(ModelEffect):
                 most = softened.loaded
                 if not any(scene.moves for scene in setting.scenes):
                     least = smaller(least, 0.0)
-            turned = softened.turned * setting.largest_travel
+            turned = one_by_one(_turned, *softened.turned, setting.largest_travel)
             found["stress"] = _between(least, most)
             if not any(scene.is_loaded for scene in setting.scenes):
                 found["stress"] = found["stress"]._replace(other=softened.stiffness.other)
             if turned:
-                found["stress"] = _off(found["stress"], smaller(turned, most))
+                found["stress"] = _off(found["stress"], turned)
             found["shift"] = (
                 _between(*softened.shift)
                 if softened.across is None
                 else _beside(softened.shift, softened.across, setting.largest_travel)
             )
-        if softened.turned and setting.material.sheet is not None:
+        if softened.across is not None and setting.material.sheet is not None:
             # a crossing of blades with moduli of their own, which no plane was solved of
             found = {name: _off(change, change.bound) for name, change in found.items()}
         if not setting.sags_along_stroke:
@@ -198,6 +198,11 @@ _CLAMPS: _Last[CompliantClamps] = _Last(
 _FILLETED: _Last[FilletedRoots] = _Last(
     "fillets", lambda geometry, sizes, nu: geometry.filleted(sizes, nu)
 )
+
+
+def _turned(each: float, most: float, travel: float) -> float:
+    """Return the error of a stress at a travel, unknown beyond the largest."""
+    return each * travel if travel <= most else inf
 
 
 def _beside(change: tuple[float, float], across: MovedAcross, travel: float) -> Change:
