@@ -6,7 +6,8 @@ width over the length of a blade, crossing, half-angle [deg], and its stiffness 
 that meet in a point, 8 E I/l, at ν = 0, 0.3 and 0.45. The crossing is the rhombus that both blades
 have in common, the bodies are rigid. And tests/parts/crossed_buckling.json: thickness, width,
 crossing, half-angle, ν, whether the body is held across, and the force along the bisector that
-buckles a body kept from turning, over E I/l².
+buckles a body kept from turning, over E I/l². And tests/parts/crossed_aside.json: how far a force
+along z and moments about x and y move it, as if l = E = 1.
 """
 
 import json
@@ -19,6 +20,7 @@ import numpy as np
 
 from flexcli.engine.solid.calculix import run
 
+ASIDE = Path(__file__).parents[1] / "parts/crossed_aside.json"
 BUCKLED = Path(__file__).parents[1] / "parts/crossed_buckling.json"
 FOUND = Path(__file__).parents[1] / "parts/crossed_solids.json"
 E, MM, L = 200e9, 1e3, 100e-3
@@ -45,6 +47,13 @@ STRUTS = (
     (0.02, 0.4, 0.4, 45.0, 0.3), (0.02, 0.4, 0.4, 45.0, 0.45), (0.02, 0.04, 0.25, 60.0, 0.45),
     (0.015, 0.6, 0.3, 30.0, 0.45), (0.03, 0.5, 0.5, 70.0, 0.34), (0.02, 0.2, 0.22, 20.0, 0.45),
     (0.04, 1.2, 0.35, 55.0, 0.45), (0.01, 0.15, 0.28, 50.0, 0.45),
+)  # fmt: skip
+
+
+TILTED = (
+    (0.05, 0.2, 0.4, 45.0, 0.0), (0.05, 0.5, 0.35, 70.0, 0.3), (0.08, 0.3, 0.4, 20.0, 0.3),
+    (0.02, 0.3, 0.3, 60.0, 0.3), (0.1, 0.2, 0.45, 60.0, 0.0), (0.03, 0.1, 0.4, 15.0, 0.0),
+    (0.02, 0.1, 0.4, 8.0, 0.0), (0.02, 0.05, 0.3, 80.0, 0.3), (0.03, 0.03, 0.3, 12.0, 0.3),
 )  # fmt: skip
 
 
@@ -179,6 +188,22 @@ def buckled(h, b, crossing, degrees, nu, across):
     return 2.0 * force / (E * b * h**3 * L**2 / 12.0)
 
 
+def aside(h, b, crossing, degrees, nu):
+    """Return the motions along z, about x and about y by a force and moments, as if l = E = 1."""
+    lines, ref, rot = model(h, b, crossing, degrees)
+    found = []
+    for node, along, size in ((ref, 3, 1.0), (rot, 1, MM), (rot, 2, MM)):
+        deck = [
+            *lines, *material(nu), "*BOUNDARY", "GROUND, 1, 3", "MIDDLE, 1, 2", f"{ref}, 1, 2",
+            f"{rot}, 3, 3", "*STEP", "*STATIC", "*CLOAD", f"{node}, {along}, {size}",
+            "*NODE PRINT, NSET=BODY", "U", "*END STEP", "",
+        ]  # fmt: skip
+        moved = next(iter(run("\n".join(deck), "aside").tables("displacements")))[node]
+        unit = E * L / MM if node == ref else E * L**3
+        found.append(moved[along - 1] / 2.0 * unit)  # half the width
+    return found
+
+
 def main():
     rows = []
     for joint in JOINTS:
@@ -191,6 +216,11 @@ def main():
             rows.append([*joint, across, float(f"{buckled(*joint, across):.5g}")])
             sys.stderr.write(f"{json.dumps(rows[-1])}\n")
     write(BUCKLED, rows)
+    rows = []
+    for joint in TILTED:
+        rows.append([*joint, *(float(f"{each:.5g}") for each in aside(*joint))])
+        sys.stderr.write(f"{json.dumps(rows[-1])}\n")
+    write(ASIDE, rows)
 
 
 def write(path, rows):

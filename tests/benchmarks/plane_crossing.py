@@ -8,7 +8,8 @@ sides, and what stretches blades with the shear. Elements of high order on a mes
 towards the four corners; what acts on the ends of the arms is distributed as in beams. Of whole
 joints between rigid ends, tests/parts/plane_shifts.json: the shift along the bisector over that of
 thin beams; and tests/parts/plane_joints.json, of halves that hardly reach beyond the crossing: the
-stiffness over 8 E I/l, and the motion across the bisector over the rotation and l.
+stiffness over 8 E I/l, and the motion across the bisector over the rotation and l; and
+tests/parts/plane_deflections.json: motions along and across the bisector by forces, times E b.
 """
 
 import json
@@ -46,6 +47,12 @@ SHORT = (
 )  # fmt: skip
 """Joints, the last two but short, none used for a fit: h/l, crossing, half-angle [deg], ν."""
 
+DEFLECTED = (
+    (0.08, 0.35, 70.0), (0.03, 0.3, 45.0), (0.03, 0.4, 75.0), (0.06, 0.4, 15.0), (0.05, 0.2, 60.0),
+)  # fmt: skip
+"""Joints of ν = 0: h/l, crossing, half-angle [deg]."""
+
+MOVED = Path(__file__).parents[1] / "parts/plane_deflections.json"
 STIFF = Path(__file__).parents[1] / "parts/plane_joints.json"
 SHIFTS = Path(__file__).parents[1] / "parts/plane_shifts.json"
 NUS = 0.0, 0.3
@@ -327,6 +334,12 @@ def main():
         rows.append([h, crossing, degrees, nu, *(float(f"{each:.6g}") for each in found)])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")
     write(STIFF, rows)
+    rows = []
+    for h, crossing, degrees in DEFLECTED:
+        *_, reacts = Joint(degrees, h, crossing).held(0.0)
+        rows.append([h, crossing, degrees, *np.linalg.inv(reacts).diagonal()[:2].round(4)])
+        sys.stderr.write(f"{json.dumps(rows[-1])}\n")
+    write(MOVED, rows)
 
 
 def write(path, rows):

@@ -21,7 +21,9 @@ L, E = 0.1, 200e9
 MESHED = 0.02
 """What the mesh of solids leaves too much of what a crossing stiffens."""
 
-MEANT = {"stiffness": {"min": "1 N*m/rad"}, "parasitic_shift": {"max": "1 m"}, "buckling": 1.0}
+MEANT: dict[str, Any] = {
+    "stiffness": {"min": "1 N*m/rad"}, "parasitic_shift": {"max": "1 m"}, "buckling": 1.0,
+}  # fmt: skip
 
 
 def rows(name: str) -> Any:
@@ -109,6 +111,45 @@ def test_what_buckles_solids_is_in_the_range_of_exact_beams(row):
         )
     )  # fmt: skip
     assert low <= solid <= high
+
+
+def deflection(joint: Any, nu: float, axis: str) -> tuple[float, float]:
+    """Return the range of a motion by a force or moment along an axis, as if l = E = 1."""
+    h, b, crossing, degrees = joint
+    unit, most = ("N*m", "1 rad") if axis.startswith("theta") else ("N", "1 m")
+    words = {
+        "flexure": 1,
+        "material": {"name": "drawn", "youngs_modulus": f"{E} Pa", "poisson_ratio": nu},
+        "geometry": {
+            "kind": "unseparated-cross", "h": f"{h * L!r} m", "l": f"{L} m", "b": f"{b * L!r} m",
+            "crossing": crossing, "half_angle": f"{degrees!r} deg",
+        },
+        "cases": {"work": {"wrench": {axis: f"1e-3 {unit}"}}},
+        "requirements": {"deflection": [{"direction": axis, "max": most}]},
+    }  # fmt: skip
+    checks = flexcli.verdicts(json.dumps(words) + "\n", model="exact").checks
+    (found,) = (c.factor_range for c in checks if c.name.startswith("deflection"))
+    assert found is not None
+    size = 1e3 * E * (L**3 if unit == "N*m" else L)
+    return size / found[1], size / found[0]
+
+
+@pytest.mark.parametrize("row", rows("crossed_aside.json"))
+def test_solids_give_way_out_of_their_plane_within_the_range_of_exact_beams(row):
+    """``tests/benchmarks/crossed_solids.py``; beams alone were 26 % softer about x at 80°."""
+    *joint, nu, along_z, about_x, about_y = row
+    for axis, solid in (("z", along_z), ("theta_x", about_x), ("theta_y", about_y)):
+        low, high = deflection(joint, nu, axis)
+        assert low <= solid <= high
+
+
+@pytest.mark.parametrize("row", rows("plane_deflections.json"))
+def test_planes_give_way_to_a_force_within_the_range_of_exact_beams(row):
+    """``tests/benchmarks/plane_crossing.py``; along nearly parallel blades 6 % more than beams."""
+    h, crossing, degrees, along, across = row
+    for axis, plane in (("x", along), ("y", across)):
+        low, high = deflection((h, h / 2.0, crossing, degrees), 0.0, axis)
+        assert low <= plane / (h / 2.0) <= high
 
 
 def most_in_crossing(degrees: float, crossing: float, rigid: float, turn: float) -> float:
