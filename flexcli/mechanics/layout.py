@@ -40,6 +40,8 @@ class Blade:
     ``profile`` is the thickness from ``start`` to ``end`` [m], ``b`` the width [m], ``z`` the
     height of its middle plane over that of the mechanism [m]. ``peak`` are the factors by which
     its shape raises the stress of a section over that of a beam: in bending, along the blade.
+    ``crossed`` is the range of its stiffness over a beam's of a blade that is one piece with
+    another where they cross.
     """
 
     name: str
@@ -51,6 +53,7 @@ class Blade:
     b: Number
     z: Number = 0.0
     peak: tuple[Number, Number] = (1.0, 1.0)
+    crossed: tuple[Number, Number] = (1.0, 1.0)
 
 
 class Support(NamedTuple):

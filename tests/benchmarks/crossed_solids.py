@@ -1,10 +1,13 @@
-"""Blades joined where they cross: solids by CalculiX, their stiffness in rotation.
+"""Blades joined where they cross: solids by CalculiX, their stiffness and what buckles them.
 
 Run by hand: python tests/benchmarks/crossed_solids.py
 It writes tests/parts/crossed_solids.json in a quarter of an hour: for each joint thickness and
 width over the length of a blade, crossing, half-angle [deg], and its stiffness over that of beams
 that meet in a point, 8 E I/l, at ν = 0, 0.3 and 0.45. The crossing is the rhombus that both blades
-have in common, the bodies are rigid.
+have in common, the bodies are rigid. And tests/parts/crossed_buckling.json: thickness, width,
+crossing, half-angle, ν, whether the body is held across, and the force along the bisector that
+buckles a body kept from turning, over E I/l². And tests/parts/crossed_aside.json: how far a force
+along z and moments about x and y move it, as if l = E = 1.
 """
 
 import json
@@ -17,6 +20,8 @@ import numpy as np
 
 from flexcli.engine.solid.calculix import run
 
+ASIDE = Path(__file__).parents[1] / "parts/crossed_aside.json"
+BUCKLED = Path(__file__).parents[1] / "parts/crossed_buckling.json"
 FOUND = Path(__file__).parents[1] / "parts/crossed_solids.json"
 E, MM, L = 200e9, 1e3, 100e-3
 QUAD = np.array([[0, 1], [1, 2], [2, 3], [3, 0]])
@@ -30,9 +35,26 @@ JOINTS = (
     (0.0704, 0.26, 0.323, 62.7), (0.0155, 0.0842, 0.252, 34.4), (0.0127, 0.0244, 0.347, 77.6),
     (0.0304, 0.111, 0.344, 80.3), (0.041, 0.272, 0.302, 34.0), (0.0153, 0.246, 0.212, 46.2),
     (0.00737, 0.0236, 0.349, 30.2), (0.00368, 0.0111, 0.264, 25.4),
-    (0.00579, 0.0232, 0.465, 27.5), (0.0127, 0.0255, 0.219, 72.9),
+    (0.00579, 0.0232, 0.465, 27.5), (0.0127, 0.0255, 0.219, 72.9), (0.12, 0.5, 0.3, 45.0),
+    (0.2, 0.2, 0.3, 45.0), (0.25, 1.5, 0.35, 30.0), (0.15, 1.0, 0.25, 60.0),
+    (0.1, 0.6, 0.3, 72.0), (0.3, 0.9, 0.45, 50.0), (0.2, 2.0, 0.4, 25.0),
+    (0.128, 0.635, 0.464, 62.8), (0.08, 0.08, 0.35, 75.0), (0.1, 0.3, 0.4, 20.0),
 )  # fmt: skip
-"""Random joints: the crossing is fitted to none; what thick blades widen less is told by them."""
+"""Random joints, and short ones: the crossing is fitted to none; what thick blades widen less is
+told by them."""
+
+STRUTS = (
+    (0.02, 0.4, 0.4, 45.0, 0.3), (0.02, 0.4, 0.4, 45.0, 0.45), (0.02, 0.04, 0.25, 60.0, 0.45),
+    (0.015, 0.6, 0.3, 30.0, 0.45), (0.03, 0.5, 0.5, 70.0, 0.34), (0.02, 0.2, 0.22, 20.0, 0.45),
+    (0.04, 1.2, 0.35, 55.0, 0.45), (0.01, 0.15, 0.28, 50.0, 0.45),
+)  # fmt: skip
+
+
+TILTED = (
+    (0.05, 0.2, 0.4, 45.0, 0.0), (0.05, 0.5, 0.35, 70.0, 0.3), (0.08, 0.3, 0.4, 20.0, 0.3),
+    (0.02, 0.3, 0.3, 60.0, 0.3), (0.1, 0.2, 0.45, 60.0, 0.0), (0.03, 0.1, 0.4, 15.0, 0.0),
+    (0.02, 0.1, 0.4, 8.0, 0.0), (0.02, 0.05, 0.3, 80.0, 0.3), (0.03, 0.03, 0.3, 12.0, 0.3),
+)  # fmt: skip
 
 
 def graded(l, first, middle, grows=2.0):
@@ -105,8 +127,8 @@ def mesh(h, b, crossing, angle):
     return np.array(places), np.array(elements)
 
 
-def solids(h, b, crossing, degrees):
-    """Return the stiffness over 8 E I/l at each ν, sizes over the length."""
+def model(h, b, crossing, degrees):
+    """Return the lines of half the joint's width, and the reference nodes of its body."""
     h, b, angle = h * L, b * L, radians(degrees)
     places, elements = mesh(h, b, crossing, angle)
     ref, rot = len(places) + 1, len(places) + 2
@@ -128,17 +150,57 @@ def solids(h, b, crossing, degrees):
     ends["MIDDLE"] = np.setdiff1d(middle, np.concatenate([ends["GROUND"], ends["STAGE"]]))
     for name, there in ends.items():
         lines += [f"*NSET, NSET={name}", *(f"{each}," for each in there)]
+    lines.append(f"*RIGID BODY, NSET=STAGE, REF NODE={ref}, ROT NODE={rot}")
+    return lines, ref, rot
+
+
+def material(nu):
+    return [
+        "*MATERIAL, NAME=M", "*ELASTIC", f"{E * 1e-6:.10g}, {nu}",
+        "*SOLID SECTION, ELSET=ALL, MATERIAL=M",
+    ]  # fmt: skip
+
+
+def solids(h, b, crossing, degrees):
+    """Return the stiffness over 8 E I/l at each ν, sizes over the length."""
+    lines, ref, rot = model(h, b, crossing, degrees)
     found = []
     for nu in NUS:
         deck = [
-            *lines, "*MATERIAL, NAME=M", "*ELASTIC", f"{E * 1e-6:.10g}, {nu}",
-            "*SOLID SECTION, ELSET=ALL, MATERIAL=M",
-            f"*RIGID BODY, NSET=STAGE, REF NODE={ref}, ROT NODE={rot}", "*BOUNDARY",
-            "GROUND, 1, 3", "MIDDLE, 3, 3", f"{ref}, 3, 3", f"{rot}, 1, 2", "*STEP", "*STATIC",
-            "*CLOAD", f"{rot}, 3, {MM}", "*NODE PRINT, NSET=BODY", "U", "*END STEP", "",
+            *lines, *material(nu), "*BOUNDARY", "GROUND, 1, 3", "MIDDLE, 3, 3", f"{ref}, 3, 3",
+            f"{rot}, 1, 2", "*STEP", "*STATIC", "*CLOAD", f"{rot}, 3, {MM}",
+            "*NODE PRINT, NSET=BODY", "U", "*END STEP", "",
         ]  # fmt: skip
         turned = next(iter(run("\n".join(deck), "cross").tables("displacements")))[rot][2]
-        found.append(2.0 / turned / (8.0 * E * b * h**3 / 12.0 / L))  # half the width
+        found.append(2.0 / turned / (8.0 * E * b * h**3 * L**3 / 12.0))  # half the width
+    return found
+
+
+def buckled(h, b, crossing, degrees, nu, across):
+    """Return the force along the bisector that buckles it, over E I/l²."""
+    lines, ref, rot = model(h, b, crossing, degrees)
+    deck = [
+        *lines, *material(nu), "*BOUNDARY", "GROUND, 1, 3", "MIDDLE, 3, 3",
+        f"{ref}, {2 if across else 3}, 3", f"{rot}, 1, 3", "*STEP", "*BUCKLE", "1, 1e-4", "*CLOAD",
+        f"{ref}, 1, -1.", "*END STEP", "",
+    ]  # fmt: skip
+    (force,) = run("\n".join(deck), "strut").buckling()
+    return 2.0 * force / (E * b * h**3 * L**2 / 12.0)
+
+
+def aside(h, b, crossing, degrees, nu):
+    """Return the motions along z, about x and about y by a force and moments, as if l = E = 1."""
+    lines, ref, rot = model(h, b, crossing, degrees)
+    found = []
+    for node, along, size in ((ref, 3, 1.0), (rot, 1, MM), (rot, 2, MM)):
+        deck = [
+            *lines, *material(nu), "*BOUNDARY", "GROUND, 1, 3", "MIDDLE, 1, 2", f"{ref}, 1, 2",
+            f"{rot}, 3, 3", "*STEP", "*STATIC", "*CLOAD", f"{node}, {along}, {size}",
+            "*NODE PRINT, NSET=BODY", "U", "*END STEP", "",
+        ]  # fmt: skip
+        moved = next(iter(run("\n".join(deck), "aside").tables("displacements")))[node]
+        unit = E * L / MM if node == ref else E * L**3
+        found.append(moved[along - 1] / 2.0 * unit)  # half the width
     return found
 
 
@@ -147,7 +209,22 @@ def main():
     for joint in JOINTS:
         rows.append([*joint, *(float(f"{k:.5g}") for k in solids(*joint))])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")
-    FOUND.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")
+    write(FOUND, rows)
+    rows = []
+    for joint in STRUTS:
+        for across in (True, False):
+            rows.append([*joint, across, float(f"{buckled(*joint, across):.5g}")])
+            sys.stderr.write(f"{json.dumps(rows[-1])}\n")
+    write(BUCKLED, rows)
+    rows = []
+    for joint in TILTED:
+        rows.append([*joint, *(float(f"{each:.5g}") for each in aside(*joint))])
+        sys.stderr.write(f"{json.dumps(rows[-1])}\n")
+    write(ASIDE, rows)
+
+
+def write(path, rows):
+    path.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

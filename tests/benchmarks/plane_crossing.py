@@ -3,10 +3,13 @@
 Run by hand: python tests/benchmarks/plane_crossing.py
 It writes tests/formulas/plane_crossing.json in some minutes: for each half-angle [deg] the terms
 of the compliance of a crossing in a plane, less that of Timoshenko's beams that meet in a point, at
-ν = 0 and 0.3, in units of E, h and b: of moments, moments with shear, shear, and the shear of both
-sides. Elements of high order on a mesh that is graded towards the four corners; what acts on the
-ends of the arms is distributed as in beams. And tests/parts/plane_shifts.json: the shift along the
-bisector of whole joints between rigid ends, over that of thin beams.
+ν = 0 and 0.3, in units of E, h and b: of moments, moments with shear, shear, the shear of both
+sides, and what stretches blades with the shear. Elements of high order on a mesh that is graded
+towards the four corners; what acts on the ends of the arms is distributed as in beams. Of whole
+joints between rigid ends, tests/parts/plane_shifts.json: the shift along the bisector over that of
+thin beams; and tests/parts/plane_joints.json, of halves that hardly reach beyond the crossing: the
+stiffness over 8 E I/l, and the motion across the bisector over the rotation and l; and
+tests/parts/plane_deflections.json: motions along and across the bisector by forces, times E b.
 """
 
 import json
@@ -34,6 +37,23 @@ JOINTS = (
 )  # fmt: skip
 """Random joints, none of them used for a fit: h/l, crossing, half-angle [deg], ν."""
 
+SHORT = (
+    (0.2965, 0.4572, 22.19, 0.3), (0.3253, 0.3211, 41.62, 0.45), (0.1110, 0.3450, 79.31, 0.3),
+    (0.2359, 0.3194, 59.19, 0.0), (0.2633, 0.4414, 66.25, 0.3), (0.2284, 0.4252, 23.12, 0.0),
+    (0.0802, 0.3259, 8.367, 0.3), (0.1294, 0.2953, 20.24, 0.0), (0.1583, 0.3645, 69.25, 0.45),
+    (0.2491, 0.4264, 45.74, 0.3), (0.1283, 0.2590, 33.30, 0.3), (0.1902, 0.4752, 65.48, 0.3),
+    (0.1712, 0.4425, 23.88, 0.45), (0.0926, 0.2428, 45.87, 0.3), (0.0354, 0.2300, 52.0, 0.0),
+    (0.0200, 0.3500, 15.0, 0.3),
+)  # fmt: skip
+"""Joints, the last two but short, none used for a fit: h/l, crossing, half-angle [deg], ν."""
+
+DEFLECTED = (
+    (0.08, 0.35, 70.0), (0.03, 0.3, 45.0), (0.03, 0.4, 75.0), (0.06, 0.4, 15.0), (0.05, 0.2, 60.0),
+)  # fmt: skip
+"""Joints of ν = 0: h/l, crossing, half-angle [deg]."""
+
+MOVED = Path(__file__).parents[1] / "parts/plane_deflections.json"
+STIFF = Path(__file__).parents[1] / "parts/plane_joints.json"
 SHIFTS = Path(__file__).parents[1] / "parts/plane_shifts.json"
 NUS = 0.0, 0.3
 ORDER = 5
@@ -169,8 +189,11 @@ class Crossing:
                 yield side, d, there[order], across[order]
 
     def loads(self):
-        """Return the forces of unit moments, and of unit shear on either side (dof, 3)."""
-        forces = np.zeros((2 * len(self.places), 3))
+        """Return the forces of unit moments, of unit shear on either side, of a pull (dof, 4).
+
+        The pull is on one blade, and the other is pushed as much.
+        """
+        forces = np.zeros((2 * len(self.places), 4))
         one = element(ORDER)
         _, gauss = np.polynomial.legendre.leggauss(len(one.weights))[::-1]
         pull = -1.0 / tan(self.angle)
@@ -187,6 +210,7 @@ class Crossing:
                     0: side * bend[:, None] * d,
                     (1 if side > 0 else 2): shear[:, None] * n
                     + (axial - self.reach * bend)[:, None] * d,
+                    3: np.full((len(y), 1), sense) * d,
                 }
                 for load, traction in each.items():
                     part = one.values.T @ (weight[:, None] * traction)
@@ -196,7 +220,7 @@ class Crossing:
         return forces
 
     def compliance(self, nu):
-        """Return twice the energy of the loads, in pairs (3, 3)."""
+        """Return twice the energy of the loads, in pairs (4, 4)."""
         forces = self.loads()
         x, y = self.places.T
         turn = np.stack([-y, x], 1).ravel()
@@ -220,8 +244,10 @@ class Crossing:
         l, EI = self.reach, 1.0 / 12.0
         own = l**3 / 3.0 / EI + 1.2 * l * 2.0 * (1.0 + nu) + l / tan(self.angle) ** 2
         mixed = -(l**2) / 2.0 / EI
+        pulled = -l / tan(self.angle)
         return 2.0 * np.array([
-            [2.0 * l / EI, mixed, -mixed], [mixed, own, 0.0], [-mixed, 0.0, own],
+            [2.0 * l / EI, mixed, -mixed, 0.0], [mixed, own, 0.0, pulled],
+            [-mixed, 0.0, own, pulled], [0.0, pulled, pulled, 2.0 * l],
         ])  # fmt: skip
 
 
@@ -232,11 +258,10 @@ class Joint(Crossing):
         self.angle = radians(degrees)
         self.mesh((crossing / h, (1.0 - crossing) / h), 2.0)
 
-    def shift(self, nu):
-        """Return the shift along the bisector over the square of a small rotation, and h.
+    def held(self, nu):
+        """Return the stiffness, and the body's nodes, their motions with it, and its own stiffness.
 
-        By the work of a unit force along it, on the strains of second order of the rotation that
-        the linear one makes, St. Venant's and Kirchhoff's material.
+        The motions are along x, y and about the centre.
         """
         K, count = self.stiffness(nu), len(self.places)
         body = np.unique(np.concatenate([n for side, _, n, _ in self.arms() if side > 0.0]))
@@ -249,11 +274,27 @@ class Joint(Crossing):
         moves[2 * body, 0] = moves[2 * body + 1, 1] = 1.0
         moves[2 * body, 2], moves[2 * body + 1, 2] = -y, x
         moves[free] = splu(K[free][:, free].tocsc()).solve(-(K @ moves)[free])
-        reacts = moves[held].T @ (K @ moves)[held]
+        return K, body, moves, moves[held].T @ (K @ moves)[held]
+
+    def turn(self, nu):
+        """Return the stiffness in rotation over 8 E I/l, and the motion across over that and l."""
+        *_, reacts = self.held(nu)
+        given = np.append(np.linalg.solve(reacts[:2, :2], -reacts[:2, 2]), 1.0)
+        l = sum(self.reaches)
+        return 1.5 * l * reacts[2] @ given, given[1] / l
+
+    def shift(self, nu):
+        """Return the shift along the bisector over the square of a small rotation, and h.
+
+        By the work of a unit force along it, on the strains of second order of the rotation that
+        the linear one makes, St. Venant's and Kirchhoff's material.
+        """
+        K, body, moves, reacts = self.held(nu)
+        x, y = self.places[body].T
         given = np.append(np.linalg.solve(reacts[:2, :2], -reacts[:2, 2]), 1.0)
         turned = moves @ given
         pushed = moves[:, :2] @ np.linalg.solve(reacts[:2, :2], [1.0, 0.0])
-        radius = np.zeros(2 * count)
+        radius = np.zeros(len(moves))
         radius[2 * body], radius[2 * body + 1] = x, y
         weight, slopes = self.slopes()
         by_turn, by_push = (
@@ -276,7 +317,7 @@ def main():
     for degrees in ANGLES:
         joint = Crossing(degrees)
         both = [joint.compliance(nu) - joint.beams(nu) for nu in NUS]
-        terms = ((0, 0), (0, 1), (1, 1), (1, 2))
+        terms = ((0, 0), (0, 1), (1, 1), (1, 2), (1, 3))
         rows.append([degrees, *(float(f"{c[at]:.6g}") for c in both for at in terms)])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")
     write(FOUND, rows)
@@ -287,6 +328,18 @@ def main():
         rows.append([h, crossing, degrees, nu, float(f"{ratio:.6g}")])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")
     write(SHIFTS, rows)
+    rows = []
+    for h, crossing, degrees, nu in SHORT:
+        found = Joint(degrees, h, crossing).turn(nu)
+        rows.append([h, crossing, degrees, nu, *(float(f"{each:.6g}") for each in found)])
+        sys.stderr.write(f"{json.dumps(rows[-1])}\n")
+    write(STIFF, rows)
+    rows = []
+    for h, crossing, degrees in DEFLECTED:
+        *_, reacts = Joint(degrees, h, crossing).held(0.0)
+        rows.append([h, crossing, degrees, *np.linalg.inv(reacts).diagonal()[:2].round(4)])
+        sys.stderr.write(f"{json.dumps(rows[-1])}\n")
+    write(MOVED, rows)
 
 
 def write(path, rows):

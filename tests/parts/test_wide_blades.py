@@ -383,10 +383,19 @@ def test_joined_blades_are_as_stiff_as_a_plate_held_on_a_line_and_shift_as_it(b,
 
 
 @pytest.mark.parametrize(
-    "row", json.loads((Path(__file__).parent / "crossed_solids.json").read_text(encoding="utf-8"))
+    "row",
+    [
+        row
+        for row in json.loads(
+            (Path(__file__).parent / "crossed_solids.json").read_text(encoding="utf-8")
+        )
+        if min(row[2], 1.0 - row[2]) / row[0] > 4.5
+    ],
 )
 def test_joined_blades_are_as_stiff_as_their_solids(row):
     """``tests/benchmarks/crossed_solids.py``: beams that meet in a point are 29 % softer at 63°.
+
+    Of halves long enough that closed forms have shear and stretching.
 
     The mesh of the solids leaves what the crossing stiffens 2 % too much.
     """

@@ -138,22 +138,25 @@ def warm_shares(
             if error.code != "no-critical-load":
                 raise NotAvailable(f"has no exact critical load: {error}") from error
             none = f"{spoken}: none up to that"
-            yield CriticalShare(ask.most_share, none, ErrorRange(-wide, inf))
+            least = ErrorRange(-wide, inf) if isfinite(wide) else None
+            yield CriticalShare(ask.most_share, none, least)
             continue
         share, crushed = _crushed(ask, found)
         off = wide + found.estimated_error
-        yield CriticalShare(share, spoken + crushed, ErrorRange(-off, off))
+        known = ErrorRange(-off, off) if isfinite(off) else None
+        yield CriticalShare(share, spoken + crushed, known)
 
 
 def _widening(ask: Ask) -> float:
-    """Return by what share wide blades and soft clamps may change a critical share."""
+    """Return by what share wide blades, soft clamps and a crossing may change a critical share."""
     nu = ask.material.elastic.most_nu
     most = 1.0 / (1.0 - nu**2) - 1.0
     blade = ask.geometry.blade(ask.sizes)
     if blade is not None:
         h, l, b = (float(size) for size in blade)
         most = float(pure_bending_factor(b=b, l=l, h=h, poisson_ratio=nu)) - 1.0
-    return most + ask.clamp_softening
+    least, stiffest = map(float, ask.geometry.crossed(ask.sizes))
+    return most + ask.clamp_softening + max(stiffest - 1.0, 1.0 - least)
 
 
 def _crushed(ask: Ask, found: Reached) -> tuple[float, str]:

@@ -226,7 +226,17 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
     if hinged:
         support = max(support, hinged + AT_STROKE)
         return StrokeErrors(support, inf, inf, inf)
-    return StrokeErrors(support, shift, moments + MOMENTS, _cancelled(state))
+    crossed = _crossed(state)
+    if crossed == inf:
+        return None
+    support, shift, moments = (each + crossed for each in (support, shift, moments + MOMENTS))
+    return StrokeErrors(support, shift, moments, _cancelled(state))
+
+
+def _crossed(state: SpaceEquilibrium) -> float:
+    """Return what blades that are one piece where they cross may be stiffer or softer by."""
+    ranges = (b.crossed for b in state.layout.blades if not isinstance(b, SpaceRod))
+    return max((max(most - 1.0, 1.0 - least) for least, most in ranges), default=0.0)
 
 
 def _settled(h: float, b: float, nu: float, bend: Bend) -> float:
@@ -345,7 +355,9 @@ def shell_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
             "shift": _bend(state, blade).shift,
         }
         beyond = max(beyond, *(value / SEEN[name].most for name, value in felt.items()))
-    support = SOLIDS * beyond + thin
+    support = SOLIDS * beyond + thin + _crossed(state)
+    if support == inf:
+        return None
     return StrokeErrors(support, support, support + RIM, _cancelled(state))
 
 

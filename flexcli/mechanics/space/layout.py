@@ -151,7 +151,8 @@ class SpaceBlade:
     the factors by which its shape raises the stress of a section: in bending across the
     thickness, and along the blade. ``warps`` says that its clamps do not keep its ends flat.
     ``blocks`` is between which lengths lie blocks, as thick as the ends of a hinge, on either side
-    of it up to the rigid bodies [m]. ``feels`` is what models do not leave out of it.
+    of it up to the rigid bodies [m]. ``feels`` is what models do not leave out of it, ``crossed``
+    the range of its stiffness over a beam's where it is one piece with a blade that it crosses.
     """
 
     name: str
@@ -167,6 +168,7 @@ class SpaceBlade:
     warps: bool = False
     blocks: tuple[float, float] = (0.0, 0.0)
     feels: BeamEffects = _EVERYTHING
+    crossed: tuple[float, float] = (1.0, 1.0)
 
     @property
     def warps_freely(self) -> bool:

@@ -59,6 +59,7 @@ def from_plane(layout: Layout, moving: str, *, turns: bool, density: float = 0.0
             float(blade.b),
             material,
             blade.peak,
+            crossed=(float(blade.crossed[0]), float(blade.crossed[1])),
         )
         for blade in layout.blades
     )

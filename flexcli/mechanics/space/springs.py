@@ -144,8 +144,14 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
     Blades and hinges of constant thickness, and tapers, have the factors of plates and sheets,
     notches and blades with fillets that of their plate in bending. What is thicker than wide is a
     blade turned by a right angle about its length; where it is stiffer one way, a beam that may
-    warp, and stiffer between clamps by an unknown amount.
+    warp, and stiffer between clamps by an unknown amount. Of what is one piece with another where
+    they cross all springs may be as much stiffer or softer.
     """
+    if isinstance(member, SpaceBlade) and member.crossed != (1.0, 1.0):
+        least, most = member.crossed
+        alone = springs_of(replace(member, crossed=(1.0, 1.0)))
+        low, high = (1.0 + alone.low) * least - 1.0, (1.0 + alone.high) * most - 1.0
+        return alone._replace(low=low, high=high)
     l = float(np.linalg.norm(np.subtract(member.end, member.start)))
     material = member.material
     if isinstance(member, SpaceStar):

@@ -19,6 +19,7 @@ __all__ = [
     "CompliantClamps",
     "Factor",
     "FilletedRoots",
+    "MovedAcross",
     "Thick",
     "WideAcross",
     "WideBlades",
@@ -169,6 +170,21 @@ class FilletedRoots(NamedTuple):
     arc: float
 
 
+class MovedAcross(NamedTuple):
+    """Motion of a centre across its bisector, of first order in the travel, that clamps change.
+
+    All are of a unit travel [m/rad], of its square along the bisector [m/rad²].
+    """
+
+    beams: tuple[float, float]
+    solid: tuple[float, float]
+    """Ranges of what beams have, and of what it is."""
+    along: tuple[float, float]
+    """Range of the shift along the bisector that beams have."""
+    farthest: float
+    """The largest shift along it, where its change is not known."""
+
+
 class CompliantClamps(NamedTuple):
     """Change of a joint's numbers by clamps that are not rigid.
 
@@ -185,11 +201,9 @@ class CompliantClamps(NamedTuple):
     buckling: Factor
     shift: tuple[float, float]
     softest: float
-    first: tuple[float, float] = (0.0, 0.0)
-    """First-order motion of the centre over the second order of a unit travel, and the change of
-    it at most [rad or m]."""
-    turned: float = 0.0
-    """Error of the stress for each unit of travel [1/rad or 1/m]."""
+    across: MovedAcross | None = None
+    turned: tuple[float, float] = (0.0, inf)
+    """Error of the stress for each unit of travel [1/rad or 1/m], and up to which travel."""
 
 
 class Thick(NamedTuple):

@@ -1,60 +1,93 @@
 """Blades that are one piece where they cross: what this changes of a joint."""
 
 from collections.abc import Callable
-from math import inf, pi, sin, tan
+from math import cos, exp, inf, isfinite, pi, sin, tan
 
-from flexcli.formulas import pivot, thick_blades
+from flexcli.formulas import pivot
 from flexcli.formulas.plate_factors import bound
 from flexcli.formulas.solid_crossing import (
     ANGLES,
     FIT,
+    crossing_compliance,
     crossing_offset,
     crossing_reach,
     crossing_shift,
+    joined_across,
     solid_crossing,
 )
 from flexcli.numerics.rows import number, one_alone
-from flexcli.parts.bending.base import CompliantClamps, Factor
+from flexcli.parts.bending.base import CompliantClamps, Factor, MovedAcross
 from flexcli.parts.geometries.base import Blade
 
 __all__ = ["solid_cross", "with_roots"]
 
-LEAST_ARM = 2.0
-"""Length of a blade beyond the crossing, over its thickness, from which on it bends as a beam."""
+LEAST_ARM = 0.3
+"""Length of a blade beyond the crossing, over its thickness, from which on the joint is as stiff as
+its beams and its crossing: plane elements of whole joints with halves of 0.16 to 2.1."""
 
-WIDE = 8.0
-"""Width of a blade, over half the length of the crossing, that keeps this as flat as the blade."""
+SHIFTING_ARM = 2.0
+"""The same for the shift, whose orders in h/l are no longer in sequence below."""
 
-HELD_ENDS = 0.25
-"""What rigid clamps stiffen by keeping an end as thick as it is, over ν'² h/l: plane elements of
-whole joints had 0.16 to 0.24."""
+NARROW, WIDE = 3.0, 8.0
+"""Width of a blade, over half the length of the crossing, up to which this may not be flat all
+over, and from which on it is as flat as the blade: solids told 0.05 of it at 0.8, 0.2 at 1.3, 0.5
+to 0.8 at 4, all at 8."""
+
+HELD_FLAT = 0.06
+"""What a rigid clamp stiffens by keeping an end flat, over h²/l² and what the crossing stiffens:
+plane elements of whole joints had up to 0.05."""
 
 OF_SECOND, OF_THIRD = 0.1, 40.0
 """Errors of the shift: part of its second order in h/l, to which one is added; and over (h/l)³ of
 the shorter half and 1 + cot²α, by plane elements of whole joints."""
 
-TURNED = 2.5
-"""What a crossing changes of the stress otherwise at a rotation [1/rad]: exact beams that begin
-beyond it had 0.25 at 0.1 rad and less after it."""
+TURNED, TURNS_MOST = 0.09, 2.8
+"""What a rotation changes of what a crossing adds to the stress, over that and sin⁻² α cos⁻² α
+[1/rad], and the rotation up to which it is no more, over cot α [rad]: exact beams that begin beyond
+it had 0.073, from 5.5° to 84.5°, up to 0.7 rad."""
 
-LESS_ALONG = 10.0
+TURNS_FAR = 0.7
+"""The largest rotation of those [rad]."""
+
+LESS_ALONG, MORE_ALONG = 10.0, 1.1
 """What shear and stretching take of the shift along the bisector, over (h/l)² of the shorter half
-and sin⁻² α: exact beams had 6 at 45° and 1 at 12°."""
+and sin⁻² α: exact beams had 6 at 45° and 1 at 12°; and how much larger it is at most."""
 
-ACROSS = 0.06
-"""First-order motion across the bisector by the crossing, over (tan² α + cot² α)(1 − 2c) h²/l θ:
-the same elements had 0.045 at most."""
+SHORT_ALONG, FARTHEST_ALONG = 6.0, 20.0
+"""The shift along the bisector over that of thin beams, at most, where halves hardly reach beyond
+the crossing: of exact beams, which had 0.1 to 5, and of plane elements, which had −3 to 14."""
+
+ENDS_PULL, ENDS_PRESS = 0.5, 0.15
+"""What ends that rigid clamps keep as thick as they are add to ``CrossingCompliance.pulled``, over
+ν'² cot α and ν'² tan α: plane elements of whole joints had 0.47 and 0.14."""
+
+OF_WIDENING = 1.5
+"""What blades bend stiffer than they stretch, at most, over what width stiffens."""
+
+LEAST_STIFF = 0.8
+"""Least stiffness of joined blades over that of beams: 0.87 in a plane, nearly parallel."""
+
+NEAR_PULL = 0.25, 2.0
+"""The same by ends so near that they feel the crossing, over e⁻² of what is between them over h,
+and of it over ν': plane elements of halves that reach 0.16 to 2.1 h beyond it."""
 
 
 def solid_cross(
-    blade: Blade, nu: float, crossing: float, half_angle: float, flat: Callable[[float], float]
+    blade: Blade,
+    nu: float,
+    crossing: float,
+    half_angle: float,
+    flat: Callable[[float], float],
+    apart: tuple[float, float],
 ) -> CompliantClamps:
     """Return the changes by blades that are one piece where they cross, ν ½ where not given.
 
     The moment in the crossing rises with the stiffness. ``flat`` is the stiffness over a beam's of
-    wide blades of a length. A crossing much shorter than wide is as flat as they are, at least,
-    and does not curl at all, at most; between blades that are shorter by it, which are flatter.
-    Nothing is known where a half hardly reaches beyond the crossing.
+    wide blades of a length, ``apart`` what their halves share otherwise for being wide, as
+    :func:`flexcli.parts.bending.wide.halves_apart` has it. A crossing much shorter than wide is as
+    flat as they are, at least, and does not curl at all, at most, one much longer curls; between
+    blades that are shorter by it, which are flatter. Nothing is known where a half does not reach
+    beyond the crossing, and nothing of the shift along the bisector where it hardly does.
     """
     one_alone()
     h, l, b = map(number, blade)
@@ -65,38 +98,47 @@ def solid_cross(
     if not ANGLES[0] <= half_angle <= ANGLES[1] or shortest < (reach + LEAST_ARM) * h:
         return _unknown(ratio)
     thickens = nu / (1.0 - nu)  # ν' of plane strain
-    plane = (nu if nu < 0.5 else 0.0), thickens
-    stiffer = [
+    held_flat = min(1.0, b / (NARROW * reach * h))
+    plane = (nu if nu < 0.5 else 0.0), nu + (thickens - nu) * held_flat
+    alone = [
         float(
             solid_crossing(h=h, l=l, half_angle=half_angle, crossing=crossing, poisson_ratio=each)
         )
-        - 1.0
         for each in plane
     ]
     rigid = float(crossing_offset(half_angle=half_angle)) * h
     whole, shorter = flat(l), flat(l - 2.0 * rigid)
-    least = whole / (1.0 + number(bound(nu)))
+    least = min(1.0, whole / (1.0 + number(bound(nu)) * held_flat))
     most = whole / (1.0 + (whole - 1.0) * min(1.0, b / (WIDE * reach * h)))
-    low = 1.0 + min(stiffer) * least * (1.0 - FIT)
-    high = 1.0 + max(stiffer) * most * (1.0 + FIT) + HELD_ENDS * thickens**2 * h / l
-    high *= max(1.0, shorter / whole)
+    stiffer = [_between_blades(each, share) for each in alone for share in (least, most)]
+    low, high = min(stiffer), max(stiffer)
+    held_ends = _held_ends(thickens, shortest / h - reach) * h / l * high**0.5
+    held_ends += HELD_FLAT * (h / l) ** 2 * high
+    low -= FIT * abs(low - 1.0)
+    high = (high + FIT * abs(high - 1.0)) * max(1.0, shorter / whole) * (1.0 + held_ends)
+    if not isfinite(high):
+        return _unknown(ratio)
     middle = (low + high) / 2.0
-    shifted = [_shift(l, shares, share * rigid) for share in (least, most)]
-    g = float(crossing_shift(half_angle=half_angle))
-    second = (h / l) ** 2 / sum(share**3 for share in shares)
-    off = second * (1.0 + OF_SECOND * abs(g))
-    off += OF_THIRD * ratio**3 * (1.0 + tan(half_angle) ** -2.0)
+    shift = -inf, inf
+    if shortest >= (reach + SHIFTING_ARM) * h:
+        shifted = [_shift(l, shares, share * rigid) for share in (least, most)]
+        g = float(crossing_shift(half_angle=half_angle))
+        second = (h / l) ** 2 / sum(share**3 for share in shares)
+        off = second * (1.0 + OF_SECOND * abs(g))
+        off += OF_THIRD * ratio**3 * (1.0 + tan(half_angle) ** -2.0)
+        shift = min(shifted) + g * second - off, max(shifted) + g * second + off
+    turned = TURNED / (sin(half_angle) * cos(half_angle)) ** 2
     held = (1.0 - 1.5 * rigid / shortest) ** -2.0 if 1.5 * rigid < shortest else inf
     return CompliantClamps(
         ratio,
-        Factor(middle, low, high),
+        Factor(middle, low, high, 0.0),  # shear, stretching and width are all in its range
         (low - 1.0, high - 1.0),
         high - 1.0,
         Factor(1.0, 1.0, held),
-        (min(shifted) + g * second - off, max(shifted) + g * second + off),
+        shift,
         0.0,
-        _across(h, l, crossing, half_angle),
-        TURNED * (high - 1.0),
+        _across(blade, plane, crossing, half_angle, apart, (whole, whole * high)),
+        (turned * (high - 1.0), min(TURNS_FAR, TURNS_MOST / tan(half_angle))),
     )
 
 
@@ -113,7 +155,7 @@ def with_roots(crossed: CompliantClamps, roots: CompliantClamps) -> CompliantCla
         roots.buckling._replace(high=roots.buckling.high * crossed.buckling.high),
         (shift[0], shift[1]),
         roots.softest,
-        crossed.first,
+        crossed.across,
         crossed.turned,
     )
 
@@ -122,6 +164,25 @@ def _unknown(ratio: float) -> CompliantClamps:
     """Return changes of which nothing is known."""
     any_factor = Factor(1.0, 1.0, inf)
     return CompliantClamps(ratio, any_factor, (0.0, inf), inf, any_factor, (-inf, inf), 0.0)
+
+
+def _held_ends(thickens: float, beyond: float) -> float:
+    """Return the most that rigid clamps stiffen by keeping ends as thick as they are.
+
+    Over h/l and the root of what the crossing stiffens; ``beyond`` is the length of a blade beyond
+    the crossing over h. Plane elements of whole joints had 0.16 to 0.26 ν'² of slender joints, 0.2
+    at ν' = 0.8, and less where ends are near.
+    """
+    return 0.34 * thickens**2 / (1.0 + 0.7 * thickens) * min(1.0, 0.5 + 0.3 * beyond)
+
+
+def _between_blades(alone: float, share: float) -> float:
+    """Return what a crossing stiffens between blades that are ``share`` as stiff as it [-].
+
+    ``alone`` is what it stiffens where both are alike: it takes 1 − 1/alone of the compliance.
+    """
+    taken = (1.0 - 1.0 / alone) * share
+    return 1.0 / (1.0 - taken) if taken < 1.0 else inf
 
 
 def _shift(l: float, shares: tuple[float, float], rigid: float) -> float:
@@ -142,25 +203,51 @@ def _shift(l: float, shares: tuple[float, float], rigid: float) -> float:
     return moved / point - 1.0
 
 
-def _across(h: float, l: float, crossing: float, half_angle: float) -> tuple[float, float]:
-    """Return the motion across the bisector over the least along it, and what the crossing adds.
+def _across(
+    blade: Blade,
+    plane: tuple[float, float],
+    crossing: float,
+    half_angle: float,
+    apart: tuple[float, float],
+    stiffer: tuple[float, float],
+) -> MovedAcross:
+    """Return the motion across the bisector by beams, and by blades of one piece.
 
-    Both for a unit rotation [rad].
+    ``plane`` is the range of ν of a plane. Wide blades that stretch as beams, at the least, bend as
+    plates; halves of which one is flatter share the shear otherwise, which pulls the blades.
+    ``stiffer`` is what width stiffens, and the largest stiffness, over that of beams.
     """
-    shares, at = (crossing, 1.0 - crossing), {"half_angle": half_angle}
-    along = sum(
-        number(pivot.parasitic_shift(l=share * l, p=0.0, theta=share, **at)) for share in shares
+    h, l, _ = map(number, blade)
+    shares, steep = (crossing, 1.0 - crossing), tan(half_angle)
+    shortest = min(shares) * l
+    past = shortest / h - float(crossing_reach(half_angle=half_angle))
+    near, per_nu = NEAR_PULL
+    unsure = plane[1] ** 2 * (ENDS_PULL / steep + ENDS_PRESS * steep)
+    unsure += (near + per_nu * plane[1]) * exp(-2.0 * past)
+    wide = 1.0 + OF_WIDENING * (stiffer[0] - 1.0)
+    beams, solid = [], []
+    for nu in plane:
+        found = joined_across(h=h, l=l, half_angle=half_angle, crossing=crossing, poisson_ratio=nu)
+        pulled = crossing_compliance(half_angle=half_angle, poisson_ratio=nu).pulled
+        off = abs(float(found.of_pulled)) * (unsure + FIT * abs(float(pulled)))
+        for each in (float(found.solid) - off, float(found.solid) + off):
+            solid += [each * l, each * wide * l]
+        beams.append(float(found.beams) * l)
+    if plane[0] > 0.0 or plane[1] == 0.0:
+        beams[1] = beams[0]  # their ν is known
+    lever = 0.5 * h**2 / l / (steep * sin(half_angle))
+    levers = lever * LEAST_STIFF, lever * stiffer[1]
+    thin = sum(
+        number(pivot.parasitic_shift(l=share * l, p=0.0, theta=share, half_angle=half_angle))
+        for share in shares
     )
-    stretched = sum(
-        number(
-            thick_blades.pivot_shift_across(
-                h=h, l=share * l, p=p, theta=share, poisson_ratio=-1.0, **at
-            )
-        )
-        for share, p in zip(shares, (-crossing * l, 0.0), strict=True)
+    less = max(1.0 - LESS_ALONG * (h / shortest / sin(half_angle)) ** 2, 0.0)
+    return MovedAcross(
+        (min(beams), max(beams)),
+        (
+            min(solid) + min(each * apart[0] for each in levers),
+            max(solid) + max(each * apart[1] for each in levers),
+        ),
+        (less * thin, MORE_ALONG * thin) if past >= SHIFTING_ARM else (0.0, SHORT_ALONG * thin),
+        FARTHEST_ALONG * thin,
     )
-    ratio = h / (min(shares) * l)
-    along *= max(1.0 - LESS_ALONG * (ratio / sin(half_angle)) ** 2, 0.5)
-    slope = tan(half_angle) ** 2
-    more = ACROSS * (slope + 1.0 / slope) * abs(1.0 - 2.0 * crossing) * h**2 / l
-    return abs(stretched) / along, more / along

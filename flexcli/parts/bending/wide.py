@@ -12,6 +12,7 @@ from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment, shear_parameter
+from flexcli.formulas.solid_crossing import joined_across
 from flexcli.numerics.rows import cos, larger, number, one_alone, one_by_one, smaller, tan
 from flexcli.parts.bending.base import PULLED, Factor, WideAcross, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from flexcli.mechanics.layout import Layout
 
 __all__ = [
+    "halves_apart",
     "wide_by_shapes",
     "wide_cantilever",
     "wide_drawn",
@@ -73,6 +75,9 @@ OF_PATH = 5e-4
 
 UNSURE_ALONG = 0.3
 """Part of a pivot's shift along its bisector that shear and the next order in θ may change."""
+
+ANY_SHARE = 0.9
+"""How unsure the part of a shift is that is across the bisector of joined blades."""
 
 LOCKED, HINGED = "clamped-clamped", "pinned-pinned"
 
@@ -215,12 +220,79 @@ def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> 
     low = larger(1.0, low - (UNEVEN_LINE + loose) * over)
     stiffness = Factor(larger(low, value - LOOSE * loose * over), low, smaller(most, high))
     shift = _halves_shift(shares, parts, [factor.value for factor in each], nu, loose)
-    held = _held(blade, nu)
-    flat = Factor(1.0, 1.0, most)
-    held = {ends: _hull([flat], at=held[ends]) for ends in held}
+    longer, shorter = (
+        blade._replace(l=choose(part.l for part in parts)) for choose in (larger, smaller)
+    )
+    stiffness = stiffness._replace(other=_other_shapes(stiffness, longer, shorter, nu, loose))
+    # on hinges each blade buckles alone, and curls where it crosses as much as it can
+    held = dict.fromkeys(EFFECTIVE_LENGTH, _buckled_halves(longer, shorter, nu, loose))
+    held[HINGED] = _buckled_halves(longer, shorter, nu, 1.0)
     bends = 4.0 / blade.l, -2.0 / blade.l  # at the cross and at the ends of either half
     widest = blade.b / smaller(part.l for part in parts)
-    return WideBlades(widest, stiffness, stiffness, held, shift, None, bends)
+    across = _halves_across(blade, nu, crossing, half_angle)
+    return WideBlades(widest, stiffness, stiffness, held, shift, None, bends, across=across)
+
+
+def _halves_across(blade: Blade, nu: float, crossing: float, half_angle: float) -> WideAcross:
+    """Return how little width changes of the motion across the bisector: the crossing has that.
+
+    It is only told how much of the shift that is, at most, which changes along the bisector.
+    """
+    h, l, _ = blade
+
+    def moved(h: float, l: float, nu: float, half_angle: float, crossing: float) -> float:
+        found = joined_across(h=h, l=l, half_angle=half_angle, crossing=crossing, poisson_ratio=nu)
+        return max(abs(float(found.beams)), abs(float(found.solid)))
+
+    farthest = larger(
+        one_by_one(moved, h, l, each, half_angle, crossing) for each in (nu, nu / (1.0 - nu))
+    )
+    along = sum(share**3 for share in (crossing, 1.0 - crossing)) / (15.0 * cos(half_angle))
+    most = farthest * (1.0 + number(plates.bound(nu))) / ((1.0 - UNSURE_ALONG) * along)
+    return WideAcross((1.0 - ANY_SHARE) * most, ANY_SHARE, 0.0, 0.0)
+
+
+def halves_apart(
+    blade: Blade, nu: float, crossing: float, half_angle: float
+) -> tuple[float, float]:
+    """Return the range of how much more shear the first half takes for its width than the second.
+
+    A half whose S is stiffer over its arc by r than a beam's takes ``4r/(1 + 3r)`` of the shear of
+    a beam.
+    """
+    blade = _floats(blade)
+    loose = smaller(blade.h / blade.b / tan(half_angle), 1.0)
+    ends = []
+    for share in (crossing, 1.0 - crossing):
+        part = blade._replace(l=share * blade.l)
+        pure, bent = (
+            _factor(f, part, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
+        )
+        least = _held_on_a_line(bent.low, loose) / pure.high
+        most = bent.high / _held_on_a_line(pure.low, loose)
+        ends.append((4.0 * least / (1.0 + 3.0 * least), 4.0 * most / (1.0 + 3.0 * most)))
+    (low, high), (least, most) = ends
+    return low - most, high - least
+
+
+def _held_on_a_line(factor: float, loose: float) -> float:
+    """Return the least factor of blades that one which crosses them keeps from curling [-]."""
+    return 1.0 + (factor - 1.0) * larger(1.0 - UNEVEN_LINE - loose, 0.0)
+
+
+def _other_shapes(factor: Factor, longer: Blade, shorter: Blade, nu: float, loose: float) -> float:
+    """Return the error of a factor of two halves that bend in any other shape [-]."""
+    least = _held_on_a_line(_factor(plates.pure_bending_factor, longer, nu).low, loose)
+    short = shorter._replace(b=SHORTEST * shorter.b)
+    most = larger(_factor(plates.pure_bending_factor, short, nu).high, factor.high)
+    return larger(most / factor.value - 1.0, 1.0 - least / factor.value)
+
+
+def _buckled_halves(longer: Blade, shorter: Blade, nu: float, loose: float) -> Factor:
+    """Return the range of the factor of the force that buckles two halves, each in any shape."""
+    least = _held_on_a_line(_buckled(longer, nu).low, loose)
+    most = larger(_buckled(shorter, nu).high, _buckled(longer, nu).high)
+    return Factor((least + most) / 2.0, least, most)
 
 
 def _halves_shift(

@@ -1,12 +1,21 @@
 """Clamps: they keep a blade from narrowing, and are compliant where one piece with the blade."""
 
 from collections.abc import Callable
-from math import inf
+from itertools import product
+from math import hypot, inf
 from typing import ClassVar, Generic, TypeVar
 
 from flexcli.formulas import clamps
-from flexcli.numerics.rows import design_by_design, larger, number, smaller
-from flexcli.parts.bending import UNKNOWN, Change, Changes, CompliantClamps, FilletedRoots, whole
+from flexcli.numerics.rows import design_by_design, isfinite, larger, number, one_by_one, smaller
+from flexcli.parts.bending import (
+    UNKNOWN,
+    Change,
+    Changes,
+    CompliantClamps,
+    FilletedRoots,
+    MovedAcross,
+    whole,
+)
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.effects.plate import wide_of
@@ -15,8 +24,8 @@ from flexcli.parts.geometries import Geometry, Sizes
 __all__ = ["ClampCompliance", "ClampStress", "RootRadius"]
 
 
-SMALL = 0.1
-"""Largest part of a shift by what moves across it that the middle of its range is taken of."""
+UNSURE = 0.5
+"""Error of a changed shift beyond which the middle of its range is not taken."""
 
 OF_LINEAR, OF_CREST = 1e-6, 1e-4
 """Errors of linear beams of a profile, and of a maximum between two points."""
@@ -97,6 +106,11 @@ class ClampCompliance(ModelEffect):
         if softened is None:
             return {}
         found = {"stiffness": _within(*softened.stiffness[:3])}
+        if softened.stiffness.other < inf:
+            # of what else bends blades, not of what they weigh
+            half = _within(*(each**0.5 for each in softened.stiffness[:3]))
+            found["stiffness"] = found["stiffness"]._replace(other=softened.stiffness.other)
+            found["frequency"] = half
         if any(scene.blade_force for scene in setting.scenes):
             found["buckling"] = _within(*softened.buckling[:3])
         if setting.largest_travel:
@@ -105,12 +119,18 @@ class ClampCompliance(ModelEffect):
                 most = softened.loaded
                 if not any(scene.moves for scene in setting.scenes):
                     least = smaller(least, 0.0)
-            turned = softened.turned * setting.largest_travel
+            turned = one_by_one(_turned, *softened.turned, setting.largest_travel)
             found["stress"] = _between(least, most)
+            if not any(scene.is_loaded for scene in setting.scenes):
+                found["stress"] = found["stress"]._replace(other=softened.stiffness.other)
             if turned:
-                found["stress"] = _off(found["stress"], smaller(turned, most))
-            found["shift"] = _beside(_between(*softened.shift), softened, setting.largest_travel)
-        if softened.turned and setting.material.sheet is not None:
+                found["stress"] = _off(found["stress"], turned)
+            found["shift"] = (
+                _between(*softened.shift)
+                if softened.across is None
+                else _beside(softened.shift, softened.across, setting.largest_travel)
+            )
+        if softened.across is not None and setting.material.sheet is not None:
             # a crossing of blades with moduli of their own, which no plane was solved of
             found = {name: _off(change, change.bound) for name, change in found.items()}
         if not setting.sags_along_stroke:
@@ -180,25 +200,60 @@ _FILLETED: _Last[FilletedRoots] = _Last(
 )
 
 
-def _beside(shift: Change, softened: CompliantClamps, travel: float) -> Change:
+def _turned(each: float, most: float, travel: float) -> float:
+    """Return the error of a stress at a travel, unknown beyond the largest."""
+    return each * travel if travel <= most else inf
+
+
+def _beside(change: tuple[float, float], across: MovedAcross, travel: float) -> Change:
     """Return the change of a shift, of which a part is of first order in the travel and across.
 
-    Both are at right angles to each other: what is across makes more of the whole, hardly less.
+    ``change`` is the range of that of the rest.
     """
-    first, more = (each / travel for each in softened.first)
-    own = smaller(first**2, 1.0) * shift.bound
-    plain, least, most = (
-        (1.0 + across**2) ** 0.5 for across in (first, larger(first - more, 0.0), first + more)
+    value, bound, error, other = one_by_one(
+        _with_across, *change, *across.beams, *across.solid, *across.along, across.farthest, travel
     )
-    low, high = least / plain - 1.0, most / plain - 1.0
-    if shift.value is None or high > SMALL:
-        return _off(shift, high + own)
-    middle, half = 1.0 + (low + high) / 2.0, (high - low) / 2.0
-    return Change(
-        (1.0 + shift.value) * middle - 1.0,
-        (1.0 + shift.bound) * (1.0 + high) - 1.0 + own,
-        shift.error + half / middle + own,
-    )
+    return Change(value, bound, error, other=other)
+
+
+def _with_across(
+    low: float,
+    high: float,
+    least_beams: float,
+    most_beams: float,
+    least_solid: float,
+    most_solid: float,
+    least_along: float,
+    most_along: float,
+    farthest: float,
+    travel: float,
+) -> tuple[float, float, float, float]:
+    """Return the value, bound and error of the change, and the error for other shapes.
+
+    What moves the centre across the bisector is at right angles to what moves it along.
+    """
+    sides = sorted((abs(least_solid), abs(most_solid)))
+    if least_solid <= 0.0 <= most_solid:
+        sides[0] = 0.0
+    ends, other, known = [], 0.0, isfinite(high - low)
+    for along, beams in product((least_along, most_along), (least_beams, most_beams)):
+        plain = hypot(along * travel, beams)
+        if plain == 0.0:
+            return 0.0, inf, inf, inf
+        moved = [abs(1.0 + low) * along, abs(1.0 + high) * along] if known else [0.0, farthest]
+        if low <= -1.0 <= high:
+            moved[0] = 0.0
+        least, most = min(moved) * travel, max(moved) * travel
+        ends += [hypot(least, sides[0]) / plain, hypot(most, sides[1]) / plain]
+        # what else bends blades changes that along the bisector
+        share = most**2 / (most**2 + sides[0] ** 2) if most else 0.0
+        other = max(other, share * (max(abs(low), abs(high)) if known else 1.0))
+    least, most = min(ends), max(ends)
+    if most - least > UNSURE * (least + most):
+        off = max(1.0 - least, most - 1.0)
+        return 0.0, off, off, inf
+    middle = (least + most) / 2.0
+    return middle - 1.0, max(1.0 - least, most - 1.0), (most - least) / 2.0 / middle, other
 
 
 def _off(change: Change, more: float) -> Change:

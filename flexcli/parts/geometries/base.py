@@ -542,6 +542,10 @@ class Geometry(Part):
         """Return the changes by the compliance of its blades' roots, None for rigid clamps."""
         return None
 
+    def crossed(self, sizes: Sizes) -> tuple[Computed, Computed]:
+        """Return the range of its blades' stiffness over beams' by being one piece, any way [-]."""
+        return 1.0, 1.0
+
     def fillet(self, sizes: Sizes) -> Computed:
         """Return the radius of the fillets at the roots of all its blades, 0 for none [m]."""
         return 0.0

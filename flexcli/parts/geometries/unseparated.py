@@ -1,5 +1,6 @@
 """Unseparated cross-spring pivot: crossed blades joined where they cross, cut from one plane."""
 
+from dataclasses import replace
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import model_validator
@@ -9,12 +10,13 @@ from flexcli.formulas import unseparated as joined
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed
+from flexcli.formulas.solid_crossing import crossed_blades
 from flexcli.mechanics.layout import Body, Layout
-from flexcli.numerics.rows import number, smaller
+from flexcli.numerics.rows import number, one_by_one, smaller
 from flexcli.parts.base import QuantityOf, spec_error
 from flexcli.parts.bending import Bending, CompliantClamps, WideBlades
 from flexcli.parts.bending.joined import Joined
-from flexcli.parts.bending.wide import wide_halves
+from flexcli.parts.bending.wide import halves_apart, wide_halves
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
@@ -84,9 +86,17 @@ class UnseparatedPivot(BladePair):
         def flat(l: float) -> float:
             return self.wide_blades(sizes._replace(l=l), nu).stiffness.value
 
-        crossed = solid_cross(self.blade(sizes), nu, self.crossing, self.half_angle, flat)
+        at = nu, self.crossing, self.half_angle
+        apart = halves_apart(self.blade(sizes), *at)
+        crossed = solid_cross(self.blade(sizes), *at, flat, apart)
         roots = super().compliant_clamps(sizes, nu)
         return crossed if roots is None else with_roots(crossed, roots)
+
+    def crossed(self, sizes: Blade) -> tuple[Computed, Computed]:
+        """Return what their solid crossing makes of the stiffness of its blades, any way."""
+        h, l, _ = self.blade(sizes)
+        least, most = one_by_one(crossed_blades, h, l, self.crossing, self.half_angle)
+        return least, most
 
     def s_bending_share(self, sizes: Blade) -> float:
         """Return ¾ (1/c + 1/(1 − c)): ¾ of each part, whose Φ is that of its own length."""
@@ -127,7 +137,7 @@ class UnseparatedPivot(BladePair):
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return four part-blades around the cross."""
-        blades = []
+        crossed, blades = self.crossed(sizes), []
         for index, angle in enumerate(self.blade_angles, 1):
             near, far = self.crossing * sizes.l, (1.0 - self.crossing) * sizes.l
             blades += [
@@ -138,6 +148,7 @@ class UnseparatedPivot(BladePair):
                     f"blade {index} stage", (CROSS, MOVING), on_ray(angle, (0.0, far)), sizes
                 ),
             ]
+        blades = [replace(blade, crossed=crossed) for blade in blades]
         bodies = (Body(CROSS, (0.0, 0.0)), Body(MOVING, (0.0, 0.0)))
         return Layout(bodies, tuple(blades), elastic.E, elastic.shear)
 

@@ -134,8 +134,9 @@ def across_width(ask: Ask) -> Iterator[Critical]:
         flat = _flatness(h, l, b, elastic.most_nu, scene.ends if alone else None)
         stress = scene.axial_share / (h * b)
         force = critical.force / scene.axial_share
-        low = (1.0 - softer) / (1.0 + ask.clamp_softening) - 1.0
-        error = ErrorRange(low, stiffer * flat - 1.0 if sure else inf)
+        least, most = ask.geometry.crossed(ask.sizes)
+        low = least * (1.0 - softer) / (1.0 + ask.clamp_softening) - 1.0
+        error = ErrorRange(low, most * stiffer * flat - 1.0 if sure else inf)
         yield Critical(ACROSS_WIDTH, force, critical.source, stress, error)
 
 

@@ -244,13 +244,14 @@ def _refuse_temperature(ask: Ask, what: str) -> None:
 def _of_plain_beams(error: ErrorRange | None, ask: Ask) -> ErrorRange | None:
     """Return the error of a critical force of beams between rigid clamps.
 
-    Wide blades can only raise it, and clamps that give way only lower it.
+    Wide blades can only raise it, clamps that give way only lower it, a solid crossing does both.
     """
     if error is None:
         return None
     wide = ask.material.elastic.most_nu
-    low = (1.0 + error.low) / (1.0 + ask.clamp_softening) - 1.0
-    return ErrorRange(low, error.high + wide**2 / (1.0 - wide**2))
+    least, most = map(float, ask.geometry.crossed(ask.sizes))
+    low = (1.0 + error.low) * least / (1.0 + ask.clamp_softening) - 1.0
+    return ErrorRange(low, (1.0 + error.high + wide**2 / (1.0 - wide**2)) * most - 1.0)
 
 
 class DynamicBuckling(Dynamic):

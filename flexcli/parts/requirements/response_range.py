@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from math import pi
+from math import inf, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -139,9 +139,10 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     ends = [factor * (1.0 + off.low), factor * (1.0 + off.high)]
     if _leaves_its_motion(ask):
         # what stretches the blades is no softer or stiffer by their width, but by their clamps
-        ends += [1.0, 1.0 / (1.0 + ask.clamp_softening)]
+        least, most = map(float, ask.geometry.crossed(ask.sizes))
+        ends += [most, least / (1.0 + ask.clamp_softening)]
     low, high = max(min(ends), 0.0), max(ends)
-    if low <= 0.0:
+    if low <= 0.0 or high == inf:
         return Uncertain(structure, None)
     others = []
     for base in (plain, heavy) if heavy is not None else (plain,):
