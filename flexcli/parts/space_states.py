@@ -100,6 +100,9 @@ some per cent."""
 THIRD = 0.4
 """Factor on l θ³, θ the largest rotation of a blade: third-order motion off the path."""
 
+UNEVEN = 1.5
+"""Times the second order of blades of constant thickness for blades that are not."""
+
 TURNS = 2.0
 """Factor on the square of a blade's rotation: its third-order rotation."""
 
@@ -319,8 +322,9 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
     Notes
     -----
     The second order where it is known, of blades of constant thickness; else 1/(1 − s) of the
-    share s of the wrench at which straight blades buckle in the plane, whichever way it acts, and
-    the square of the rotation of the body, or of the chord of its blades. Besides, what curvature
+    share s of the wrench at which straight blades buckle in the plane, whichever way it acts, or
+    half as much again as that second order, as what loads in other directions move along it is of
+    its kind; and the square of the rotation of the body, or of the chord of its blades. Besides, what curvature
     keeps flat of even blades, stiffer by up to 1/(1 − ν²).
 
     """
@@ -331,13 +335,14 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
     along = motion_along(axes_about_z(ask.geometry.axes))
     body = joint.layout.body(joint.layout.drive.body)
     state = action(joint.assembly, Acting(0.0, along.T @ load, body.point, np.zeros(3)))
-    if joint.is_uniform and not ask.geometry.is_guided and not joint.layout.springs:
+    share = 0.0
+    if not ask.geometry.is_guided and not joint.layout.springs:
         row = sought @ along @ joint.assembly.motion(body.name, body.point)
         either = (state, combined([state], [-1.0]))  # a wrench acts either way
         share = max(_second_share(each, row) for each in either)
-    else:
+    if not joint.is_uniform or ask.geometry.is_guided or joint.layout.springs:
         try:
-            share = _share_of_buckling(ask, load)
+            share = max(UNEVEN * share, _share_of_buckling(ask, load))
         except NotAvailable:  # not in a plane
             return None
         least = min(member.l for member in joint.assembly.members)

@@ -212,6 +212,6 @@ def test_fillets_of_any_size_change_a_shift_as_exact_beams_have_it(kind, radius)
         flexcli.check(design(said, asked), model=model).checks[-1]
         for model in ("closed-form", "exact")
     )
-    assert closed.factor == pytest.approx(exact.factor, rel=0.01)
+    assert closed.factor == pytest.approx(exact.factor, rel=0.02)
     assert closed.factor_range[0] <= exact.factor_range[1]
     assert exact.factor_range[0] <= closed.factor_range[1]
