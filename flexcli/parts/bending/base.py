@@ -136,7 +136,7 @@ class WideBlades(NamedTuple):
     """Largest b/l."""
     stiffness: Factor
     stress: Factor
-    buckling: dict[str, Factor]
+    buckling: Mapping[str, Factor]
     shift: tuple[float, float] | None = None
     sag: tuple[float, float] | None = None
     bends: tuple[float, float] | None = None
@@ -200,7 +200,8 @@ class Thick(NamedTuple):
     joint's shift that comes from them. ``stress`` is the factor of the moments in the throats at a
     travel, ``loaded`` that of what loads bend, where they are not that of the stiffness. ``first``
     is the motion of first order beside the shift, over the second order of a unit travel
-    [rad or m], and the range of its change.
+    [rad or m], and the range of its change. ``swaying`` are the ends of a case by which limbs sway
+    as they buckle, by the stiffness of their hinges alone.
     """
 
     ratio: float
@@ -210,6 +211,7 @@ class Thick(NamedTuple):
     stress: Factor | None = None
     loaded: Factor | None = None
     first: tuple[float, float, float] = (0.0, 1.0, 1.0)
+    swaying: tuple[str, ...] = ()
 
 
 class Bending(ABC):

@@ -1,6 +1,6 @@
 """Wide blades: the increased stiffness of a joint's blades or hinges against beams."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import inf, pi
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,16 @@ from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment, shear_parameter
-from flexcli.numerics.rows import cos, larger, number, one_alone, one_by_one, smaller, tan
+from flexcli.numerics.rows import (
+    Number,
+    cos,
+    larger,
+    number,
+    one_alone,
+    one_by_one,
+    smaller,
+    tan,
+)
 from flexcli.parts.bending.base import PULLED, Factor, WideAcross, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
@@ -47,6 +56,11 @@ NECKS_BUCKLED = 0.2
 """Part of what a hinge in pure bending widens by, by which the hinges of a blade that buckles
 sideways, or on pins, may differ from it: plates with a rigid middle of 0 to 40 hinges' lengths
 between them had 0.1 at most."""
+
+LIMBS_BUCKLED = 0.06
+"""Part of what a notch in pure bending widens by, by which notches at the ends of a limb may differ
+as it buckles: plates with a rigid middle of any length, e/r 0.005 to 0.8, had 0.05 at most as the
+limb sways, and 0.045 less under a moment that is odd about the throat."""
 
 UNEVEN_LINE = 0.05
 """Part of the plates' change of joined blades by which they turn unevenly along their line: thin
@@ -276,12 +290,14 @@ def wide_notch(
     length: Numbers,
     b: Numbers,
     turn: Numbers,
-    uneven: float = 0.0,
+    uneven: float | None = None,
+    swaying: Collection[str] = (),
 ) -> WideBlades:
     """Return the factors of a hinge of a given thickness profile between rigid bodies.
 
-    ``turn`` is its stiffness at E = 1, ``uneven`` the part of its bending by moments that vary
-    along it, as a force across the limb between two hinges causes.
+    ``turn`` is its stiffness at E = 1. Of hinges at the ends of limbs ``uneven`` is the part of
+    their bending by moments that vary along them, as a force across the limb between two causes;
+    by ``swaying`` ends the limbs sway as they buckle.
     """
     from flexcli.mechanics.wide_hinge import WideHinge, wide_hinge
 
@@ -298,18 +314,80 @@ def wide_notch(
     )
     widening, bends = number(plates.bound(nu)), number(second_moment(b, e)) / number(turn)
     factor = _as_a_solid(thick.stiffness, thick.less, e / b, e / bends, widening)
-    low, high = factor.low - uneven * widening, factor.high + uneven * widening
-    factor = factor._replace(low=larger(1.0, low), high=high)
-    buckles = _as_a_solid(short.stiffness, short.less, e / b, e / bends, widening)
-    held = dict.fromkeys(
-        EFFECTIVE_LENGTH, factor._replace(low=1.0, high=larger(high, buckles.high))
-    )
+    held: Mapping[str, Factor]
+    if uneven is None:
+        held = _HeldHinge(profile, number(length), effective, nu, factor, (e / b, e / bends))
+    else:
+        most = _as_a_solid(short.stiffness, short.less, e / b, e / bends, widening)
+        held = _held_limbs(factor, most.high, swaying)
+        low, high = factor.low - uneven * widening, factor.high + uneven * widening
+        factor = factor._replace(low=larger(1.0, low), high=high)
     moves = (thin.shift, thick.shift)
     middle = sum(moves) / 2.0 - 1.0
     spread = abs(moves[0] - moves[1]) / 2.0 + 0.3 * larger(abs(m - 1.0) for m in moves)
     # of limbs the path of the whole counts, which their hinges shorten by a share of it
-    shift = (0.0, abs(middle) + spread) if uneven else (middle, spread)
+    shift = (middle, spread) if uneven is None else (0.0, abs(middle) + spread)
     return WideBlades(b / bends, factor, factor, held, shift, pulled=NOTCH_PULLED)
+
+
+def _held_limbs(bent: Factor, most: Number, swaying: Collection[str]) -> dict[str, Factor]:
+    """Return the factors of the force that buckles limbs with hinges at their ends.
+
+    As they sway their hinges bend nearly to arcs, by the factor ``bent``; where they are kept from
+    that, to any shape, which makes them no flatter than ``most``.
+    """
+    off = LIMBS_BUCKLED * (bent.value - 1.0)
+    high = smaller(bent.high + off, larger(bent.high, most))
+    arc = bent._replace(low=larger(1.0, bent.low - off), high=high)
+    locked = _hull([arc, Factor(most, most, most)])
+    return dict.fromkeys(EFFECTIVE_LENGTH, locked) | dict.fromkeys(swaying, arc)
+
+
+class _HeldHinge(Mapping[str, Factor]):
+    """The factors of the force that buckles one hinge, each found when it is asked for.
+
+    A plate is no softer than in pure bending, but on pins, and at most as stiff as in the shape by
+    which it buckles; a thick one, with shear in it, is between both. ``thick`` are the throat over
+    the width and over the length of its bending.
+    """
+
+    def __init__(
+        self,
+        profile: "Profile",
+        length: Number,
+        width: Number,
+        nu: float,
+        bent: Factor,
+        thick: tuple[Number, Number],
+    ) -> None:
+        self.profile, self.length, self.width = profile, length, width
+        self.nu, self.bent, self.thick = nu, bent, thick
+
+    def __getitem__(self, ends: str) -> Factor:
+        """Return the factor between ends."""
+        from flexcli.mechanics.wide_hinge_buckling import BuckledHinge, buckled_hinge
+
+        if ends not in EFFECTIVE_LENGTH:
+            raise KeyError(ends)
+        kind = type(self.profile)
+
+        def hinge(l: float, b: float, nu: float, *numbers: float) -> BuckledHinge:
+            return buckled_hinge(kind, numbers, l, b, nu, ends)
+
+        numbers = (number(each) for each in vars(self.profile).values())
+        plate = one_by_one(hinge, self.length, self.width, self.nu, *numbers)
+        widening = number(plates.bound(self.nu))
+        shape = _as_a_solid(plate.factor, plate.error, *self.thick, widening)
+        high = smaller(shape.high + plate.error, 1.0 + widening)
+        return _hull([self.bent, shape._replace(high=larger(shape.low, high))])
+
+    def __iter__(self) -> Iterator[str]:
+        """Yield the names of the ends."""
+        return iter(EFFECTIVE_LENGTH)
+
+    def __len__(self) -> int:
+        """Return how many ends there are."""
+        return len(EFFECTIVE_LENGTH)
 
 
 def _as_a_solid(plate: float, less: float, t: float, depth: float, widening: float) -> Factor:
