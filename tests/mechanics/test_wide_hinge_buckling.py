@@ -9,7 +9,7 @@ from flexcli.formulas.profile import Constant, Filleted, Notch
 from flexcli.mechanics.hinge_plate import half_of
 from flexcli.mechanics.wide_hinge import wide_hinge
 from flexcli.mechanics.wide_hinge_buckling import _beam, _bent, _least, buckled_hinge
-from flexcli.parts.bending.wide import LIMBS_BUCKLED
+from flexcli.parts.bending.wide_notch import LIMBS_BUCKLED
 
 WHERE_THE_POINT_IS_NO_MATTER = ("clamped-clamped", "clamped-guided", "pinned-pinned")
 

@@ -1,6 +1,6 @@
 """Wide blades: the increased stiffness of a joint's blades or hinges against beams."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from math import inf, pi
 from typing import TYPE_CHECKING, Any
 
@@ -12,21 +12,19 @@ from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment, shear_parameter
-from flexcli.numerics.rows import (
-    Number,
-    cos,
-    larger,
-    number,
-    one_alone,
-    one_by_one,
-    smaller,
-    tan,
+from flexcli.numerics.rows import cos, larger, number, one_alone, smaller, tan
+from flexcli.parts.bending.base import (
+    PULLED,
+    SHORTEST,
+    Factor,
+    WideAcross,
+    WideBlades,
+    hull,
 )
-from flexcli.parts.bending.base import PULLED, Factor, WideAcross, WideBlades
+from flexcli.parts.bending.wide_notch import NOTCH_PULLED
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 if TYPE_CHECKING:
-    from flexcli.formulas.profile import Profile
     from flexcli.mechanics.layout import Layout
 
 __all__ = [
@@ -38,29 +36,16 @@ __all__ = [
     "wide_linked",
     "wide_moment",
     "wide_necks",
-    "wide_notch",
     "wide_pivot",
 ]
 
-RITZ_ERROR = 1e-3
-"""Largest error of a plate solved by Ritz's method with few functions [-]."""
-
 CANCELS = 10.0
 """Largest ratio of a blade's shortening to the layout's shift that comes from it."""
-
-SHORTEST = 4.0
-"""Equivalent width ratio: a blade in pure bending that many times wider is as flat as one bent in
-any shape between clamps (guided 2.9 at most, buckled with any ends 2.6)."""
 
 NECKS_BUCKLED = 0.2
 """Part of what a hinge in pure bending widens by, by which the hinges of a blade that buckles
 sideways, or on pins, may differ from it: plates with a rigid middle of 0 to 40 hinges' lengths
 between them had 0.1 at most."""
-
-LIMBS_BUCKLED = 0.06
-"""Part of what a notch in pure bending widens by, by which notches at the ends of a limb may differ
-as it buckles: plates with a rigid middle of any length, e/r 0.005 to 0.8, had 0.05 at most as the
-limb sways, and 0.045 less under a moment that is odd about the throat."""
 
 UNEVEN_LINE = 0.05
 """Part of the plates' change of joined blades by which they turn unevenly along their line: thin
@@ -76,11 +61,6 @@ space of 150 random stars had 0.02 at most."""
 
 TINY = 1e-12
 """Share of S-shaped bending below which there is none."""
-
-NOTCH_PULLED = 1.3
-"""Part of the change of stiffness by which the stress of a force along a notch may differ, largest
-in the middle of its width: solids of e/r 0.03 to 0.35, b/e 1 to 40 and ν up to 0.45 had 0.4 to 1.2
-of it, up to 0.088 of the stress in all."""
 
 OF_PATH = 5e-4
 """What their shift is off besides, by the errors of how much blades shorten [-]."""
@@ -133,7 +113,7 @@ def wide_pivot(
     held = _held(blade, nu)
     # whose body turns as well: the shape is none of these; on hinges one blade buckles alone
     turned = [ends for ends in held if ends not in (LOCKED, HINGED)]
-    held |= {ends: _hull(held.values(), at=held[ends]) for ends in turned}
+    held |= {ends: hull(held.values(), at=held[ends]) for ends in turned}
     sag = None
     if sags_wide:
         inverse = 1.0 / number(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
@@ -231,7 +211,7 @@ def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> 
     shift = _halves_shift(shares, parts, [factor.value for factor in each], nu, loose)
     held = _held(blade, nu)
     flat = Factor(1.0, 1.0, most)
-    held = {ends: _hull([flat], at=held[ends]) for ends in held}
+    held = {ends: hull([flat], at=held[ends]) for ends in held}
     bends = 4.0 / blade.l, -2.0 / blade.l  # at the cross and at the ends of either half
     widest = blade.b / smaller(part.l for part in parts)
     return WideBlades(widest, stiffness, stiffness, held, shift, None, bends)
@@ -282,128 +262,6 @@ def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
     return WideBlades(b / l_c, stiffness, stiffness, held, (0.0, share * pure))
 
 
-def wide_notch(
-    nu: float,
-    profile: "Profile",
-    *,
-    throat: Numbers,
-    length: Numbers,
-    b: Numbers,
-    turn: Numbers,
-    uneven: float | None = None,
-    swaying: Collection[str] = (),
-) -> WideBlades:
-    """Return the factors of a hinge of a given thickness profile between rigid bodies.
-
-    ``turn`` is its stiffness at E = 1. Of hinges at the ends of limbs ``uneven`` is the part of
-    their bending by moments that vary along them, as a force across the limb between two causes;
-    by ``swaying`` ends the limbs sway as they buckle.
-    """
-    from flexcli.mechanics.wide_hinge import WideHinge, wide_hinge
-
-    e, b = number(throat), number(b)
-    numbers = tuple(number(each) for each in vars(profile).values())
-
-    def hinge(l: float, b: float, nu: float, *numbers: float) -> WideHinge:
-        return wide_hinge(type(profile), numbers, l, b, nu)
-
-    effective = number(plates.effective_width(b=b, h=e))
-    thin, thick, short = (
-        one_by_one(hinge, number(length), width, nu, *numbers)
-        for width in (b, effective, SHORTEST * effective)
-    )
-    widening, bends = number(plates.bound(nu)), number(second_moment(b, e)) / number(turn)
-    factor = _as_a_solid(thick.stiffness, thick.less, e / b, e / bends, widening)
-    held: Mapping[str, Factor]
-    if uneven is None:
-        held = _HeldHinge(profile, number(length), effective, nu, factor, (e / b, e / bends))
-    else:
-        most = _as_a_solid(short.stiffness, short.less, e / b, e / bends, widening)
-        held = _held_limbs(factor, most.high, swaying)
-        low, high = factor.low - uneven * widening, factor.high + uneven * widening
-        factor = factor._replace(low=larger(1.0, low), high=high)
-    moves = (thin.shift, thick.shift)
-    middle = sum(moves) / 2.0 - 1.0
-    spread = abs(moves[0] - moves[1]) / 2.0 + 0.3 * larger(abs(m - 1.0) for m in moves)
-    # of limbs the path of the whole counts, which their hinges shorten by a share of it
-    shift = (middle, spread) if uneven is None else (0.0, abs(middle) + spread)
-    return WideBlades(b / bends, factor, factor, held, shift, pulled=NOTCH_PULLED)
-
-
-def _held_limbs(bent: Factor, most: Number, swaying: Collection[str]) -> dict[str, Factor]:
-    """Return the factors of the force that buckles limbs with hinges at their ends.
-
-    As they sway their hinges bend nearly to arcs, by the factor ``bent``; where they are kept from
-    that, to any shape, which makes them no flatter than ``most``.
-    """
-    off = LIMBS_BUCKLED * (bent.value - 1.0)
-    high = smaller(bent.high + off, larger(bent.high, most))
-    arc = bent._replace(low=larger(1.0, bent.low - off), high=high)
-    locked = _hull([arc, Factor(most, most, most)])
-    return dict.fromkeys(EFFECTIVE_LENGTH, locked) | dict.fromkeys(swaying, arc)
-
-
-class _HeldHinge(Mapping[str, Factor]):
-    """The factors of the force that buckles one hinge, each found when it is asked for.
-
-    A plate is no softer than in pure bending, but on pins, and at most as stiff as in the shape by
-    which it buckles; a thick one, with shear in it, is between both. ``thick`` are the throat over
-    the width and over the length of its bending.
-    """
-
-    def __init__(
-        self,
-        profile: "Profile",
-        length: Number,
-        width: Number,
-        nu: float,
-        bent: Factor,
-        thick: tuple[Number, Number],
-    ) -> None:
-        self.profile, self.length, self.width = profile, length, width
-        self.nu, self.bent, self.thick = nu, bent, thick
-
-    def __getitem__(self, ends: str) -> Factor:
-        """Return the factor between ends."""
-        from flexcli.mechanics.wide_hinge_buckling import BuckledHinge, buckled_hinge
-
-        if ends not in EFFECTIVE_LENGTH:
-            raise KeyError(ends)
-        kind = type(self.profile)
-
-        def hinge(l: float, b: float, nu: float, *numbers: float) -> BuckledHinge:
-            return buckled_hinge(kind, numbers, l, b, nu, ends)
-
-        numbers = (number(each) for each in vars(self.profile).values())
-        plate = one_by_one(hinge, self.length, self.width, self.nu, *numbers)
-        widening = number(plates.bound(self.nu))
-        shape = _as_a_solid(plate.factor, plate.error, *self.thick, widening)
-        high = smaller(shape.high + plate.error, 1.0 + widening)
-        return _hull([self.bent, shape._replace(high=larger(shape.low, high))])
-
-    def __iter__(self) -> Iterator[str]:
-        """Yield the names of the ends."""
-        return iter(EFFECTIVE_LENGTH)
-
-    def __len__(self) -> int:
-        """Return how many ends there are."""
-        return len(EFFECTIVE_LENGTH)
-
-
-def _as_a_solid(plate: float, less: float, t: float, depth: float, widening: float) -> Factor:
-    """Return the factor of a notch, a solid, from that of a thin plate that is ``less`` at least.
-
-    Solids of t = e/b up to ½ and e/r from 0.005 to 0.5 widen by 0.65 t less, to 0.75 t about that;
-    a throat as deep as its bending is long (``depth``) redistributes its stress when it is kept
-    flat.
-    """
-    over, share = plate - 1.0, 0.14 * depth**2
-    away = smaller(RITZ_ERROR, plates.OF_WIDENING * over) + over * (0.75 * t + share)
-    value = 1.0 + over * larger(1.0 - 0.65 * t, 0.35)
-    high = smaller(1.0 + widening * (1.0 + share), value + away)
-    return Factor(value, larger(1.0, value - away - less), high)
-
-
 def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool) -> WideBlades:
     """Return the range of the factors of drawn blades, from the least to the greatest.
 
@@ -428,8 +286,8 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
             kept.append(_between(1.0, nu))
             hinged.append(kept[-1])
             path = number(plates.bound(nu)) / 5.0
-    hull = _hull(found)
-    stiffness = _hull([hull, Factor(1.0, 1.0, 1.0)]) if springs else hull
+    any_shape = hull(found)
+    stiffness = hull([any_shape, Factor(1.0, 1.0, 1.0)]) if springs else any_shape
     flat = 1.0 + number(plates.bound(nu))
     # what one blade takes more of than another adds to its own factor; curvature flattens it
     spread = stiffness.high - stiffness.low
@@ -437,7 +295,7 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
     if springs:
         kept.append(Factor(1.0, 1.0, 1.0))
     # on hinges a blade buckles alone
-    buckles = dict.fromkeys(EFFECTIVE_LENGTH, _hull(kept)) | {HINGED: _hull(hinged)}
+    buckles = dict.fromkeys(EFFECTIVE_LENGTH, hull(kept)) | {HINGED: hull(hinged)}
     return WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path), pulled=pulled)
 
 
@@ -497,7 +355,7 @@ def wide_by_shapes(
     if whole <= 0.0 or not each:
         return plain
     high, low = 1.0 + more / whole, 1.0 / (1.0 + less / whole)
-    at = _hull(each)
+    at = hull(each)
     spread = at.high - at.low
     # what one blade takes more of than another adds to its own factor
     stress = Factor(at.value, larger(1.0 - spread, at.low - spread), at.high + spread)
@@ -515,9 +373,9 @@ def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:
     if not found:
         return None
     rigid = [Factor(1.0, 1.0, 1.0)] if len(found) < len(each) else []
-    stiffness = _hull([*(w.stiffness for w in found), *rigid])
-    stress = _hull([*(w.stress for w in found), *rigid])
-    held = {ends: _hull(w.buckling[ends] for w in found) for ends in EFFECTIVE_LENGTH}
+    stiffness = hull([*(w.stiffness for w in found), *rigid])
+    stress = hull([*(w.stress for w in found), *rigid])
+    held = {ends: hull(w.buckling[ends] for w in found) for ends in EFFECTIVE_LENGTH}
     ratio, most = larger(w.ratio for w in found), larger(w.pulled for w in found)
     return WideBlades(ratio, stiffness, stress, held, pulled=most)
 
@@ -570,7 +428,7 @@ def _held_necks(neck: Blade, nu: float) -> dict[str, Factor]:
     pure, bent = (_factor(f, neck, nu) for f in (plates.pure_bending_factor, plates.guided_factor))
     off = NECKS_BUCKLED * (pure.value - 1.0)
     arc = pure._replace(low=larger(1.0, pure.low - off), high=pure.high + off)
-    locked = _hull([arc, bent])
+    locked = hull([arc, bent])
     return dict.fromkeys(EFFECTIVE_LENGTH, arc) | {LOCKED: locked, "clamped-pinned": locked}
 
 
@@ -598,13 +456,6 @@ def _between(low: float, nu: float) -> Factor:
     """Return a factor between a lower bound and that of a plate kept flat."""
     flat = 1.0 + number(plates.bound(nu))
     return Factor((low + flat) / 2.0, low, flat)
-
-
-def _hull(factors: Iterable[Factor], at: Factor | None = None) -> Factor:
-    """Return the range that holds all factors, about its middle or a given value."""
-    found: Sequence[Factor] = tuple(factors)
-    low, high = smaller(f.low for f in found), larger(f.high for f in found)
-    return Factor((low + high) / 2.0 if at is None else at.value, low, high)
 
 
 def _pivot_across(blade: Blade, nu: float, delta: float, half_angle: float) -> WideAcross:

@@ -30,7 +30,7 @@ from flexcli.parts.base import (
 from flexcli.parts.bending import Bending, Thick, WideBlades
 from flexcli.parts.bending.limbs import Hinge, LimbPivot, LimbStage
 from flexcli.parts.bending.thick_limbs import thick_limb_pivot, thick_limb_stage
-from flexcli.parts.bending.wide import wide_notch
+from flexcli.parts.bending.wide_notch import wide_notch
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import (
     GROUND,
