@@ -324,8 +324,8 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
     The second order where it is known, of blades of constant thickness; else 1/(1 − s) of the
     share s of the wrench at which straight blades buckle in the plane, whichever way it acts, or
     half as much again as that second order, as what loads in other directions move along it is of
-    its kind; and the square of the rotation of the body, or of the chord of its blades. Besides, what curvature
-    keeps flat of even blades, stiffer by up to 1/(1 − ν²).
+    its kind; and the square of the rotation of the body, or of the chord of its blades. Besides,
+    what curvature keeps flat of even blades, stiffer by up to 1/(1 − ν²).
 
     """
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)

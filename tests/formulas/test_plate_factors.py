@@ -16,7 +16,8 @@ from flexcli.formulas.profile import Constant
 from flexcli.formulas.restrained_torsion import restrained_stiffness
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.wide_hinge import wide_hinge
-from flexcli.parts.bending.wide import NECKS_BUCKLED, SHORTEST
+from flexcli.parts.bending.base import SHORTEST
+from flexcli.parts.bending.wide import NECKS_BUCKLED
 from flexcli.parts.geometries import AnyGeometry
 
 RITZ = 5e-5

@@ -11,7 +11,7 @@ from flexcli.formulas.thick_notch import softening
 def test_a_thin_throat_shifts_as_its_beam(thin, blocks):
     found = softening(e=thin * 1e-3, depth=1e-3, l=2e-3, blocks=blocks)
     # what its bending spreads is some e/ρ of its length, with the radius ρ = 1 mm
-    assert 1.0 - thin < found.shift_least <= 1.0 <= found.shift_most < 1.0 + thin
+    assert 1.0 - thin < found.shift_least < found.shift_most < 1.0 + thin
 
 
 @pytest.mark.parametrize("thin", [1e-3, 1e-4])

@@ -76,6 +76,9 @@ def test_stated_blocks_decide_a_stiffness_that_is_open_without_them(kind, limb, 
         if limb == "usual":
             continue
         result = in_steel(geometry(kind, limb), least, model="exact")
+        if block == "clamped" and result.status is Status.FAIL:
+            assert verdict is Status.FAIL  # no block gives way less
+            continue
         assert result.status is Status.UNDECIDED
         assert "needs-blocks" in [note.code for note in result.warnings]
 

@@ -89,12 +89,16 @@ def shift_over_beam(edges, *, block, rise=0.0):
     whole, before, beam = _flexible(edges) / 2, 0.0, 0.0
     for edge in edges:
         s = (g + 1) / 2
-        slope = (edge(s + 1e-6)[0] - edge(s - 1e-6)[0]) / 2e-6
-        curved = slope / edge(s)[1] ** 3 * 12 / 8
-        inner = [t / 2 * w @ np.interp(t * s, s, curved) for t in s]
+
+        def curved(s, edge=edge):
+            slope = (edge(s + 1e-6)[0] - edge(s - 1e-6)[0]) / 2e-6
+            return slope, slope / edge(s)[1] ** 3 * 12 / 8
+
+        slope, bent = curved(s)
+        inner = [t / 2 * w @ curved(t * s)[1] for t in s]
         turned = (before + np.array(inner)) / whole
         beam += w / 2 @ (slope * (1 - turned**2))
-        before += w / 2 @ curved
+        before += w / 2 @ bent
     return solid / beam
 
 

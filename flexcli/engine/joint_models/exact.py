@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.blade_weight import BladeWeights
-from flexcli.engine.joint_models.buckling import exact_critical, warm_shares
+from flexcli.engine.joint_models.buckling import SETTLED, exact_critical, warm_shares
 from flexcli.engine.joint_models.face_stress import worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
@@ -110,7 +110,7 @@ class ExactModel(JointModel):
             QuantityKind.FREQUENCY: lambda: self._stiffness(ask)[1] / 2.0,
             QuantityKind.STRESS: lambda: self._judged(ask)[1],
             QuantityKind.SHIFT: lambda: self._shift(ask)[1],
-            QuantityKind.BUCKLING: lambda: 100.0 * self.tolerance,  # else it has no answer
+            QuantityKind.BUCKLING: lambda: SETTLED * self.tolerance,
         }.get(kind)
         try:
             found = find() if find is not None else inf

@@ -1,16 +1,17 @@
 """Interface of a way of bending: the effects that closed forms leave out, as relative changes."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import inf
 from typing import ClassVar, NamedTuple, Protocol, TypeAlias
 
-from flexcli.numerics.rows import larger, number
+from flexcli.numerics.rows import larger, number, smaller
 from flexcli.results import ErrorRange
 
 __all__ = [
     "FLOOR",
     "PULLED",
+    "SHORTEST",
     "UNEVEN",
     "UNKNOWN",
     "Bending",
@@ -24,6 +25,7 @@ __all__ = [
     "WideAcross",
     "WideBlades",
     "WidePath",
+    "hull",
     "together",
     "whole",
 ]
@@ -60,6 +62,11 @@ at sharp notches."""
 PULLED = 0.25
 """Part of the change of a wide blade's stiffness by which its stress under forces may differ: solid
 blades stretched by a force had 1 % more, at b/l = 0.6, where the stiffness has 9 %."""
+
+
+SHORTEST = 4.0
+"""Equivalent width ratio: a blade in pure bending that many times wider is as flat as one bent in
+any shape between clamps (guided 2.9 at most, buckled with any ends 2.6)."""
 
 
 UNEVEN = 0.35
@@ -103,6 +110,13 @@ class Factor(NamedTuple):
         return Change(self.value - 1.0, self.high - 1.0, error, other=self.other)
 
 
+def hull(factors: Iterable[Factor], at: Factor | None = None) -> Factor:
+    """Return the range that holds all factors, about its middle or a given value."""
+    found: Sequence[Factor] = tuple(factors)
+    low, high = smaller(f.low for f in found), larger(f.high for f in found)
+    return Factor((low + high) / 2.0 if at is None else at.value, low, high)
+
+
 class WidePath(Protocol):
     """The path of a joint's centre by its beams, and by its wide blades."""
 
@@ -137,7 +151,7 @@ class WideBlades(NamedTuple):
     """Largest b/l."""
     stiffness: Factor
     stress: Factor
-    buckling: dict[str, Factor]
+    buckling: Mapping[str, Factor]
     shift: tuple[float, float] | None = None
     sag: tuple[float, float] | None = None
     bends: tuple[float, float] | None = None
@@ -214,7 +228,8 @@ class Thick(NamedTuple):
     joint's shift that comes from them. ``stress`` is the factor of the moments in the throats at a
     travel, ``loaded`` that of what loads bend, where they are not that of the stiffness. ``first``
     is the motion of first order beside the shift, over the second order of a unit travel
-    [rad or m], and the range of its change.
+    [rad or m], and the range of its change. ``swaying`` are the ends of a case by which limbs sway
+    as they buckle, by the stiffness of their hinges alone.
     """
 
     ratio: float
@@ -224,6 +239,7 @@ class Thick(NamedTuple):
     stress: Factor | None = None
     loaded: Factor | None = None
     first: tuple[float, float, float] = (0.0, 1.0, 1.0)
+    swaying: tuple[str, ...] = ()
 
 
 class Bending(ABC):

@@ -20,8 +20,15 @@ along the limb, and that of a deep notch is off, of e/r: 0.05 in all at e = r on
 """
 
 
-def thick_limb_stage(*, e: Numbers, r: Numbers, l: Numbers, blocks: Blocks = None) -> Thick:
-    """Return the factors of a stage, whose limbs bend like an S."""
+def thick_limb_stage(
+    *,
+    e: Numbers,
+    r: Numbers,
+    l: Numbers,
+    blocks: Blocks = None,
+    swaying: tuple[str, ...] = (),
+) -> Thick:
+    """Return the factors of a stage, whose limbs bend like an S, and buckle so by some ends."""
     e, r, l = number(e), number(r), number(l)
     limb = _limb(e, r, l, blocks)
     if limb is None:
@@ -33,6 +40,7 @@ def thick_limb_stage(*, e: Numbers, r: Numbers, l: Numbers, blocks: Blocks = Non
         (sway.low / sway.beam, sway.high / sway.beam),
         stress=_peaked(factor, e, r, l),
         loaded=_of_either(limb),
+        swaying=swaying,
     )
 
 

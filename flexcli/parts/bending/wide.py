@@ -14,11 +14,18 @@ from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment, shear_parameter
 from flexcli.formulas.solid_crossing import joined_across
 from flexcli.numerics.rows import cos, larger, number, one_alone, one_by_one, smaller, tan
-from flexcli.parts.bending.base import PULLED, Factor, WideAcross, WideBlades
+from flexcli.parts.bending.base import (
+    PULLED,
+    SHORTEST,
+    Factor,
+    WideAcross,
+    WideBlades,
+    hull,
+)
+from flexcli.parts.bending.wide_notch import NOTCH_PULLED
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 if TYPE_CHECKING:
-    from flexcli.formulas.profile import Profile
     from flexcli.mechanics.layout import Layout
 
 __all__ = [
@@ -31,19 +38,11 @@ __all__ = [
     "wide_linked",
     "wide_moment",
     "wide_necks",
-    "wide_notch",
     "wide_pivot",
 ]
 
-RITZ_ERROR = 1e-3
-"""Largest error of a plate solved by Ritz's method with few functions [-]."""
-
 CANCELS = 10.0
 """Largest ratio of a blade's shortening to the layout's shift that comes from it."""
-
-SHORTEST = 4.0
-"""Equivalent width ratio: a blade in pure bending that many times wider is as flat as one bent in
-any shape between clamps (guided 2.9 at most, buckled with any ends 2.6)."""
 
 NECKS_BUCKLED = 0.2
 """Part of what a hinge in pure bending widens by, by which the hinges of a blade that buckles
@@ -64,11 +63,6 @@ space of 150 random stars had 0.02 at most."""
 
 TINY = 1e-12
 """Share of S-shaped bending below which there is none."""
-
-NOTCH_PULLED = 1.3
-"""Part of the change of stiffness by which the stress of a force along a notch may differ, largest
-in the middle of its width: solids of e/r 0.03 to 0.35, b/e 1 to 40 and ν up to 0.45 had 0.4 to 1.2
-of it, up to 0.088 of the stress in all."""
 
 OF_PATH = 5e-4
 """What their shift is off besides, by the errors of how much blades shorten [-]."""
@@ -124,7 +118,7 @@ def wide_pivot(
     held = _held(blade, nu)
     # whose body turns as well: the shape is none of these; on hinges one blade buckles alone
     turned = [ends for ends in held if ends not in (LOCKED, HINGED)]
-    held |= {ends: _hull(held.values(), at=held[ends]) for ends in turned}
+    held |= {ends: hull(held.values(), at=held[ends]) for ends in turned}
     sag = None
     if sags_wide:
         inverse = 1.0 / number(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
@@ -340,82 +334,6 @@ def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
     return WideBlades(b / l_c, stiffness, stiffness, held, (0.0, share * pure))
 
 
-PLATE, LEAST_PEAK, MOST_PEAK = 18.0, 0.6, 1.2
-"""Width over thickness of a throat from which on it is a plate; least and largest shares of the
-plate's peak in its middle: our solids of 30 throats, ν 0.3 and 0.45, e/r 0.01 to 0.1, had 0.63 to
-1.1."""
-
-
-def wide_notch(
-    nu: float,
-    profile: "Profile",
-    *,
-    throat: Numbers,
-    length: Numbers,
-    b: Numbers,
-    turn: Numbers,
-    uneven: float = 0.0,
-) -> WideBlades:
-    """Return the factors of a hinge of a given thickness profile between rigid bodies.
-
-    ``turn`` is its stiffness at E = 1, ``uneven`` the part of its bending by moments that vary
-    along it, as a force across the limb between two hinges causes.
-    """
-    from flexcli.mechanics.wide_hinge import WideHinge, wide_hinge
-
-    e, b = number(throat), number(b)
-    numbers = tuple(number(each) for each in vars(profile).values())
-
-    def hinge(l: float, b: float, nu: float, *numbers: float) -> WideHinge:
-        return wide_hinge(type(profile), numbers, l, b, nu)
-
-    effective = number(plates.effective_width(b=b, h=e))
-    thin, thick, short = (
-        one_by_one(hinge, number(length), width, nu, *numbers)
-        for width in (b, effective, SHORTEST * effective)
-    )
-    widening, bends = number(plates.bound(nu)), number(second_moment(b, e)) / number(turn)
-    factor = _as_a_solid(thick.stiffness, thick.less, e / b, e / bends, widening)
-    low, high = factor.low - uneven * widening, factor.high + uneven * widening
-    factor = factor._replace(low=larger(1.0, low), high=high)
-    buckles = _as_a_solid(short.stiffness, short.less, e / b, e / bends, widening)
-    held = dict.fromkeys(
-        EFFECTIVE_LENGTH, factor._replace(low=1.0, high=larger(high, buckles.high))
-    )
-    moves = (thin.shift, thick.shift)
-    middle = sum(moves) / 2.0 - 1.0
-    spread = abs(moves[0] - moves[1]) / 2.0 + 0.3 * larger(abs(m - 1.0) for m in moves)
-    # of limbs the path of the whole counts, which their hinges shorten by a share of it
-    shift = (0.0, abs(middle) + spread) if uneven else (middle, spread)
-    stress = _in_the_middle(factor, thin.peak, b / e)
-    return WideBlades(b / bends, factor, stress, held, shift, pulled=NOTCH_PULLED)
-
-
-def _in_the_middle(mean: Factor, peak: float, slender: float) -> Factor:
-    """Return the factor of the largest stress across a throat, from that of its mean and a plate's.
-
-    A narrower throat is no plate: it may have as little as nothing of the peak.
-    """
-    over = peak - 1.0
-    least, middle = (LEAST_PEAK, 1.0) if slender > PLATE else (0.0, 0.5)
-    low, value, high = (1.0 + share * over for share in (least, middle, MOST_PEAK))
-    return Factor(mean.value * value, mean.low * low, mean.high * high)
-
-
-def _as_a_solid(plate: float, less: float, t: float, depth: float, widening: float) -> Factor:
-    """Return the factor of a notch, a solid, from that of a thin plate that is ``less`` at least.
-
-    Solids of t = e/b up to ½ and e/r from 0.005 to 0.5 widen by 0.65 t less, to 0.75 t about that;
-    a throat as deep as its bending is long (``depth``) redistributes its stress when it is kept
-    flat.
-    """
-    over, share = plate - 1.0, 0.14 * depth**2
-    away = smaller(RITZ_ERROR, plates.OF_WIDENING * over) + over * (0.75 * t + share)
-    value = 1.0 + over * larger(1.0 - 0.65 * t, 0.35)
-    high = smaller(1.0 + widening * (1.0 + share), value + away)
-    return Factor(value, larger(1.0, value - away - less), high)
-
-
 def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool) -> WideBlades:
     """Return the range of the factors of drawn blades, from the least to the greatest.
 
@@ -440,8 +358,8 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
             kept.append(_between(1.0, nu))
             hinged.append(kept[-1])
             path = number(plates.bound(nu)) / 5.0
-    hull = _hull(found)
-    stiffness = _hull([hull, Factor(1.0, 1.0, 1.0)]) if springs else hull
+    any_shape = hull(found)
+    stiffness = hull([any_shape, Factor(1.0, 1.0, 1.0)]) if springs else any_shape
     flat = 1.0 + number(plates.bound(nu))
     # what one blade takes more of than another adds to its own factor; curvature flattens it
     spread = stiffness.high - stiffness.low
@@ -449,7 +367,7 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
     if springs:
         kept.append(Factor(1.0, 1.0, 1.0))
     # on hinges a blade buckles alone
-    buckles = dict.fromkeys(EFFECTIVE_LENGTH, _hull(kept)) | {HINGED: _hull(hinged)}
+    buckles = dict.fromkeys(EFFECTIVE_LENGTH, hull(kept)) | {HINGED: hull(hinged)}
     return WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path), pulled=pulled)
 
 
@@ -509,7 +427,7 @@ def wide_by_shapes(
     if whole <= 0.0 or not each:
         return plain
     high, low = 1.0 + more / whole, 1.0 / (1.0 + less / whole)
-    at = _hull(each)
+    at = hull(each)
     spread = at.high - at.low
     # what one blade takes more of than another adds to its own factor
     stress = Factor(at.value, larger(1.0 - spread, at.low - spread), at.high + spread)
@@ -527,9 +445,9 @@ def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:
     if not found:
         return None
     rigid = [Factor(1.0, 1.0, 1.0)] if len(found) < len(each) else []
-    stiffness = _hull([*(w.stiffness for w in found), *rigid])
-    stress = _hull([*(w.stress for w in found), *rigid])
-    held = {ends: _hull(w.buckling[ends] for w in found) for ends in EFFECTIVE_LENGTH}
+    stiffness = hull([*(w.stiffness for w in found), *rigid])
+    stress = hull([*(w.stress for w in found), *rigid])
+    held = {ends: hull(w.buckling[ends] for w in found) for ends in EFFECTIVE_LENGTH}
     ratio, most = larger(w.ratio for w in found), larger(w.pulled for w in found)
     return WideBlades(ratio, stiffness, stress, held, pulled=most)
 
@@ -582,7 +500,7 @@ def _held_necks(neck: Blade, nu: float) -> dict[str, Factor]:
     pure, bent = (_factor(f, neck, nu) for f in (plates.pure_bending_factor, plates.guided_factor))
     off = NECKS_BUCKLED * (pure.value - 1.0)
     arc = pure._replace(low=larger(1.0, pure.low - off), high=pure.high + off)
-    locked = _hull([arc, bent])
+    locked = hull([arc, bent])
     return dict.fromkeys(EFFECTIVE_LENGTH, arc) | {LOCKED: locked, "clamped-pinned": locked}
 
 
@@ -610,13 +528,6 @@ def _between(low: float, nu: float) -> Factor:
     """Return a factor between a lower bound and that of a plate kept flat."""
     flat = 1.0 + number(plates.bound(nu))
     return Factor((low + flat) / 2.0, low, flat)
-
-
-def _hull(factors: Iterable[Factor], at: Factor | None = None) -> Factor:
-    """Return the range that holds all factors, about its middle or a given value."""
-    found: Sequence[Factor] = tuple(factors)
-    low, high = smaller(f.low for f in found), larger(f.high for f in found)
-    return Factor((low + high) / 2.0 if at is None else at.value, low, high)
 
 
 def _pivot_across(blade: Blade, nu: float, delta: float, half_angle: float) -> WideAcross:

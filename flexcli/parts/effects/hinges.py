@@ -53,16 +53,17 @@ class ThickNotch(ModelEffect):
         thick = setting.geometry.thick_notches(setting.sizes)
         if thick is None:
             return {}
-        buckles = any(scene.blade_force for scene in setting.scenes)
+        ends = {scene.ends for scene in setting.scenes if scene.blade_force}
         if thick.factor is None:
-            names = ("stiffness", "stress", "shift", *(("buckling",) if buckles else ()))
+            names = ("stiffness", "stress", "shift", *(("buckling",) if ends else ()))
             return dict.fromkeys(names, UNKNOWN)
         value, most, error = _of_factor(thick.factor)
         found = {"stiffness": Change(value, most, error, other=BESIDE_WIDENING * most)}
         under_loads = _of_factor(thick.loaded or thick.factor)
-        if buckles:  # hinges between rigid limbs buckle by their stiffness, a bar less so
+        if ends:  # limbs that sway buckle by the stiffness of their hinges, others more or less so
             value, most, error = under_loads
-            found["buckling"] = Change(value, most, error - value)
+            unlike = 0.0 if ends.issubset(thick.swaying) else -value
+            found["buckling"] = Change(value, most, error + unlike)
         if setting.largest_travel:
             loaded = any(scene.is_loaded for scene in setting.scenes)
             value, most, error = _of_factor(thick.stress or thick.factor)

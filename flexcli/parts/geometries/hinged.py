@@ -30,7 +30,7 @@ from flexcli.parts.base import (
 from flexcli.parts.bending import Bending, Thick, WideBlades
 from flexcli.parts.bending.limbs import Hinge, LimbPivot, LimbStage
 from flexcli.parts.bending.thick_limbs import thick_limb_pivot, thick_limb_stage
-from flexcli.parts.bending.wide import wide_notch
+from flexcli.parts.bending.wide_notch import wide_notch
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import (
     GROUND,
@@ -82,6 +82,8 @@ class Limb(Part):
 
 
 class _Hinged(Geometry):
+    swaying: ClassVar[tuple[str, ...]] = ()
+    """Ends of a case by which its limbs sway as they buckle."""
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints; Paros & Weisbord"
     dimensions: ClassVar[type[Any]] = LimbSizes
     labels: ClassVar[Mapping[str, str]] = {
@@ -194,7 +196,7 @@ class _Hinged(Geometry):
         # a force across the limb bends its hinges by a moment that is not the same all along
         reach = number(bending_reach(across=C.across, turn=C.turn)) / l
         at = {"throat": e, "length": 2.0 * r, "b": b, "turn": turn, "uneven": 4.0 * reach**2}
-        return wide_notch(nu, Notch(e, r), **at)
+        return wide_notch(nu, Notch(e, r), **at, swaying=self.swaying)
 
     def radii(self, sizes: LimbSizes) -> dict[str, Computed]:
         """Return that of its notches."""
@@ -280,6 +282,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
     """Parallel stage of n limbs with a notch hinge at each end (four hinges for two limbs)."""
 
     motion: ClassVar[str] = "translation"
+    swaying: ClassVar[tuple[str, ...]] = ("clamped-guided", "clamped-free")
     cards: ClassVar[tuple[Card, ...]] = (*hinged_stage.CARDS, notch.CARDS[0], *notch.CARDS[2:])
     also: ClassVar[tuple[str, ...]] = ("four-hinge-stage",)
 
@@ -313,7 +316,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
     def thick_notches(self, sizes: LimbSizes) -> Thick | None:
         """Return the factors of limbs that bend like an S."""
         e, r, l, _ = sizes
-        return thick_limb_stage(e=e, r=r, l=l, blocks=self._beside)
+        return thick_limb_stage(e=e, r=r, l=l, blocks=self._beside, swaying=self.swaying)
 
     def volume(self, sizes: LimbSizes) -> Computed:
         """Return the volume of the hinges [m³]; the limbs are bodies."""

@@ -21,7 +21,7 @@ from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.arc import Arc
-from flexcli.parts.bending.wide import wide_notch
+from flexcli.parts.bending.wide_notch import wide_notch
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import (
     GROUND,
