@@ -17,6 +17,10 @@ STAGES = ("cantilever", "guided-blade", "leaf-spring-stage", "necked-down-stage"
 DRAWN = ("layout", "layout-pivot")
 KINDS = PIVOTS + HINGES + BARS + STAGES + DRAWN + ("linkage",)
 TURNS = PIVOTS + HINGES + BARS + ("layout-pivot", "linkage")
+ROOTED = ("rcc", "cross-spring", "star", "three-blade", "cantilever", "guided-blade",
+          "moment-blade", "leaf-spring-stage")  # fmt: skip
+"""Joints of blades that may have fillets at their roots."""
+
 ENDS = ("clamped-clamped", "clamped-guided", "clamped-pinned", "pinned-pinned", "clamped-free")
 NEAR = 0.03
 """How far from a printed factor its requirement is set."""
@@ -101,6 +105,7 @@ class Writer:
         if self.kind in (*NOTCHES, *LIMBS) and rng.random() < 0.5:
             geometry["blocks"] = self.one("massive", m(mouth(geometry) * self.log(0.3, 3.0)))
         self.warmed_and_driven(spec, requirements)
+        self.rooted(geometry)
         return Scene(self.kind, spec, requirements)
 
     def warmed_and_driven(self, spec, requirements):
@@ -370,6 +375,15 @@ class Writer:
             case["shock"] = {"half-sine": pulse, "q": 50}
         if mechanism["kind"] == "parallel-stage" and "stroke" not in case:
             case["lock"] = "solid-2"
+
+    def rooted(self, geometry):
+        """Give the blades of some joints fillets, or cut them from one piece with their bodies."""
+        if self.kind not in ROOTED or self.rng.random() > 0.2:
+            return
+        if self.rng.random() < 0.6:
+            geometry["root_radius"] = m(min(self.h * self.log(0.3, 10.0), 0.45 * self.l))
+        if "root_radius" not in geometry or self.rng.random() < 0.3:
+            geometry["clamps"] = self.one("monolithic", "monolithic-flush", "rigid")
 
 
 class Outcome(NamedTuple):

@@ -46,6 +46,8 @@ def in_space(spec, loaded):
         return None
     if getattr(geometry, "tilt", "free") == "held" or "effects" in spec:
         return None
+    if getattr(geometry, "clamps", None) not in (None, "rigid"):
+        return None
     E, nu = material.elastic
     try:
         layout = geometry.space_layout(Elastic(E, nu), sizes)
