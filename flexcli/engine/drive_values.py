@@ -61,6 +61,8 @@ def _reached(actuator: Actuator, ask: Ask) -> Reached | None:
     for _ in range(STEPS):
         before = driven
         wanted = actuator.force / (actuator.k_T + before.force / before.travel)
+        if not wanted > 0.0:  # the joint pulls the drive along: it holds at no stroke
+            return None
         travel *= wanted / before.travel
         driven = _at(actuator, ask, travel)
         if abs(driven.travel / before.travel - 1.0) <= SETTLED:

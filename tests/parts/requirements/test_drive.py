@@ -70,6 +70,17 @@ def test_what_it_reaches_is_where_both_springs_balance():
     assert told.value == pytest.approx(float(by_springs.stroke), rel=doubt)
 
 
+def test_a_drive_that_turns_the_joint_over_reaches_no_stroke():
+    """At 5.5 rad its blades pull it along."""
+    pivot = {"kind": "three-blade", "p": "0 mm", "h": "1.37 mm", "l": "67 mm", "b": "200 mm",
+             "root_radius": "2.68 mm"}  # fmt: skip
+    line = {"blocking_force": "1e6 N", "free_stroke": "10 m", "drives": "both-ways", "arm": "10 mm"}
+    steel = {"youngs_modulus": "210 GPa"}
+    result = flexcli.check(spec(pivot, {"rotation": "1 mrad"}, line, steel))
+    assert "k_T" in result.values
+    assert "s_reached" not in result.values
+
+
 def test_a_stack_does_not_pull_and_a_stroke_beyond_its_own_fails():
     stack = {**BENDER, "drives": "one-way"}
     back = drive(STAGE, {"translation": "50 um"}, stack)
