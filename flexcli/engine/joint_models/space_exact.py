@@ -602,13 +602,21 @@ def beam_peaks(stresses: Sequence[BladeStress]) -> dict[str, Floats]:
 
 
 def section_peaks(blade: BladeStress) -> Floats:
-    """Return von Mises' stress of each section of a beam, at its four corners and two faces [Pa].
+    """Return von Mises' stress of each section of a beam, at its corners, faces and sides [Pa].
 
-    It has the sign of the normal stress; the shape is (places, 6), for a rod (places, 4).
+    It has the sign of the normal stress; the shape is (places, 8), for a rod (places, 6).
     """
-    faces = np.stack([blade.axial + side * blade.bend_thin for side in (1.0, -1.0)], axis=-1)
-    normal = np.concatenate([blade.corner, faces], axis=1)
-    corners, sides = np.ones(blade.corner.shape[1]), np.ones(2)
-    shear = np.concatenate([np.outer(blade.edge * blade.shear, corners),
-                            np.outer(blade.shear, sides)], axis=1)  # fmt: skip
+    ends = np.array([1.0, -1.0])
+    middles = [blade.axial[:, None] + np.outer(bent, ends)
+               for bent in (blade.bend_thin, blade.bend_wide)]  # fmt: skip
+    normal = np.concatenate([blade.corner, *middles], axis=1)
+    corners, two = np.ones(blade.corner.shape[1]), np.ones(2)
+    shear = np.concatenate(
+        [
+            np.outer(blade.edge * blade.shear, corners),
+            np.outer(blade.shear + blade.faces, two),
+            np.outer(blade.shear + blade.sides, two),
+        ],
+        axis=1,
+    )
     return np.asarray(np.copysign(equivalent(normal, shear), normal))

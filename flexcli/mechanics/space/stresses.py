@@ -24,6 +24,7 @@ __all__ = [
     "at_places",
     "equivalent",
     "hinge_error",
+    "shear_spread",
     "stress_rows",
     "twisted",
 ]
@@ -155,7 +156,7 @@ def at_places(
     sections; the columns of the stresses are those of the forces. At the corners of a hinge the
     shear of torsion counts beside the warping, which is largest a little way from them.
     """
-    b, (bends, pulls), spread = blade.b, blade.peak, _shear_spread(blade)
+    b, (bends, pulls), spread = blade.b, blade.peak, shear_spread(blade)
     A, I_z, I_y = b * h, b * h**3 / 12.0, h * b**3 / 12.0
     peak = bends if _is_hinge(blade) else 1.0
     # of a thin section it has all but a thickness of the edge
@@ -220,7 +221,7 @@ def _is_hinge(blade: SpaceBlade) -> bool:
     return isinstance(blade.profile, Notch | Filleted)
 
 
-def _shear_spread(blade: SpaceBlade) -> float:
+def shear_spread(blade: SpaceBlade) -> float:
     """Return the largest shear stress across the width over its mean [-].
 
     1.5 of a beam; a throat that is wide against the length over which it gives way, √(e ρ), is

@@ -2,7 +2,8 @@
 
 ``σ = N/A − M_z y/I_z + M_y z/I_y + E' ψ f' + ½ E τ² (y² + z² − I_p/A)`` at the corners, with
 E' = E/(1 − ν²), τ the twist rate, ψ the section's largest warping (near a corner) and f what the
-section warps by; the shear of torsion in the middle of the broad faces. At a clamp the stress is
+section warps by; the shear of torsion in the middle of the broad faces, and with it that of the
+forces across, there and in the middle of the sides. At a clamp the stress is
 locally higher, since it keeps the section from narrowing
 (:mod:`flexcli.formulas.clamp_stress`); that is not in these numbers.
 """
@@ -19,7 +20,13 @@ from flexcli.mechanics.space.exact.beams import Beams
 from flexcli.mechanics.space.exact.blade import along
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.layout import BeamEffects, SpaceBlade, SpaceLayout, SpaceRod
-from flexcli.mechanics.space.stresses import SectionForces, at_places, equivalent, twisted
+from flexcli.mechanics.space.stresses import (
+    SectionForces,
+    at_places,
+    equivalent,
+    shear_spread,
+    twisted,
+)
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 
 __all__ = [
@@ -40,6 +47,9 @@ _ENDS = np.array([-1.0, 1.0])
 _STILL = 1e-6
 """Of the largest ds/du on a segment, the least that is divided by."""
 
+ROUND = 4.0 / 3.0
+"""Largest shear of a force across a round section over its mean."""
+
 _THICK = 2.5
 """Thickness over the least of a notch or a blade with fillets from which on its stress is none of
 the largest: that of a force past a throat is so where it is twice as thick. Where its faces stand
@@ -54,7 +64,9 @@ class BladeStress(NamedTuple):
     restrained warping and ``fibres`` that of the long fibres at the corners; ``corner``
     (places, 4) is their sum, with its sign, at the corners (+y +z), (+y −z), (−y +z), (−y −z), for
     a rod the two extremes. ``shear`` is that of torsion at the faces, clamps excepted; ``edge`` is
-    the share of it beside the corners: all but a thickness of the edge of a thin section.
+    the share of it beside the corners: all but a thickness of the edge of a thin section. ``faces``
+    and ``sides`` are the shear of the forces across the width, in the middle of the faces, and
+    across the thickness, in that of the sides; of a rod the latter is that of both.
     """
 
     name: str
@@ -67,6 +79,8 @@ class BladeStress(NamedTuple):
     corner: Floats
     shear: Floats
     edge: Floats
+    faces: Floats
+    sides: Floats
 
 
 class SectionStates(NamedTuple):
@@ -220,6 +234,8 @@ def _of_section(
             corner=(N / A + fibres)[:, None] + bent[:, None] * np.array([1.0, -1.0]),
             shear=np.abs(G * tau) * blade.sheared,
             edge=none,  # its faces are all around
+            faces=none,
+            sides=ROUND * np.hypot(at.V_y, at.V_z) / A,
         )
     b = blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
@@ -241,4 +257,6 @@ def _of_section(
         corner=corner + warped[:, None] * y * z,
         shear=G * np.minimum(h, b) * np.abs((shear_factor(h, b) - 0.5) * at.warps + 0.5 * tau),
         edge=1.0 - np.minimum(h, b) / np.maximum(h, b),
+        faces=shear_spread(blade) * np.abs(at.V_z) / (b * h),
+        sides=1.5 * np.abs(at.V_y) / (b * h),
     )
