@@ -5,9 +5,9 @@ the inside adds its lowest modes between fixed ends. Along the blade's own axes 
 (u along, w across, φ anticlockwise).
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,8 @@ from flexcli.numerics.modes import natural_modes
 __all__ = ["HeavyBlade", "heavy_blade"]
 
 Floats = NDArray[np.float64]
+
+_Ends: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
 
 ELEMENTS = 16
 """Elements of a blade with mass, shared by its pieces that are not short: of the sixth mode inside
@@ -105,16 +107,18 @@ def heavy_blade(
     slide = 1.0 / (SHEAR_FACTOR * G) if G else 0.0
     K = _end_stiffness(pieces, E=E, l=l, b=b, slide=slide)
     N, V, M = K[3:]  # what the blade's end feels
-    axial, bending = list[Floats](), list[Floats]()
-    for piece in pieces:
-        for s, h in zip(*_ends(piece), strict=True):
-            axial.append(N / (b * h))
-            bending.append(6.0 / (b * h**2) * (M + (l - s) * V))
-    still = HeavyBlade(np.zeros((6, 6)), K, np.array(axial), np.array(bending), K[3:5])
+    ends = [_ends(piece) for piece in pieces]
+    stresses = _stresses(ends, b, lambda s: (N, M + (l - s) * V))
+    still = HeavyBlade(np.zeros((6, 6)), K, *stresses, K[3:5])
     if not density:
         return still
+    told = [
+        (piece, share)
+        for piece, ((start, _), (end, _)) in zip(pieces, ends, strict=True)
+        if (share := (end - start) / l) > NEGLIGIBLE
+    ]
     made = {"E": E, "b": b, "density": density, "slide": slide}
-    return _with_inside(still, pieces, l, is_uniform=isinstance(profile, Constant), **made)
+    return _with_inside(still, told, ends, l, is_uniform=isinstance(profile, Constant), **made)
 
 
 def _end_stiffness(
@@ -139,10 +143,19 @@ def _end_stiffness(
 
 
 def _with_inside(
-    still: HeavyBlade, pieces: Sequence[Piece], l: float, *, is_uniform: bool, **made: float
+    still: HeavyBlade,
+    told: Sequence[tuple[Piece, float]],
+    ends: Sequence[_Ends],
+    l: float,
+    *,
+    is_uniform: bool,
+    **made: float,
 ) -> HeavyBlade:
-    """Return a blade with the mass and the modes of its inside."""
-    b, told = made["b"], list(_told(pieces, l))
+    """Return a blade with the mass and the modes of its inside.
+
+    ``told`` are the pieces that bend it, and their shares of the length: one that is hardly there
+    would take all digits of the stiffness beside it.
+    """
     count = -(-ELEMENTS // max(1, sum(share > SHORT for _, share in told)))
     chains = [
         _elements(piece, count if share > SHORT else 1, is_uniform, **made) for piece, share in told
@@ -158,14 +171,14 @@ def _with_inside(
     static, modes = _reduction(K, M)
     reduction = np.hstack([static, modes])
     inside = [T @ modes[3 * index : 3 * index + 6] for index, T in enumerate(placed)]
-    axial, bending = list[Floats](), list[Floats]()
-    for piece in pieces:
-        for s, h in zip(*_ends(piece), strict=True):
-            index, share = _place(elements, s)
-            forces, (first, last) = elements[index].forces, elements[index].moments
-            axial.append(forces[0] @ inside[index] / (b * h))
-            moment = (1.0 - share) * first + share * last
-            bending.append(6.0 / (b * h**2) * moment @ inside[index])
+
+    def felt(s: float) -> tuple[Floats, Floats]:
+        index, share = _place(elements, s)
+        first, last = elements[index].moments
+        moment = (1.0 - share) * first + share * last
+        return elements[index].forces[0] @ inside[index], moment @ inside[index]
+
+    axial, bending = _stresses(ends, made["b"], felt)
     of_modes = modes.shape[1]
     stiffness = np.zeros((6 + of_modes,) * 2)
     stiffness[:6, :6] = still.stiffness
@@ -179,23 +192,24 @@ def _with_inside(
     )
 
 
-def _ends(piece: Piece) -> tuple[list[float], list[float]]:
-    """Return where a piece starts and ends, and its thickness there [m]."""
+def _ends(piece: Piece) -> _Ends:
+    """Return place and thickness where a piece starts, and where it ends [m]."""
     at = np.array([-1.0, 1.0])
     places, thicknesses = (np.ravel(each(at)) for each in (piece.position, piece.thickness))
-    return [float(s) for s in places], [float(h) for h in np.broadcast_to(thicknesses, (2,))]
+    (start, end), (h_1, h_2) = places.tolist(), np.broadcast_to(thicknesses, (2,)).tolist()
+    return (start, h_1), (end, h_2)
 
 
-def _told(pieces: Sequence[Piece], l: float) -> Iterator[tuple[Piece, float]]:
-    """Yield the pieces that bend the inside, and their shares of the length.
-
-    One that is hardly there would take all digits of the stiffness beside it.
-    """
-    for piece in pieces:
-        (start, end), _ = _ends(piece)
-        share = (end - start) / l
-        if share > NEGLIGIBLE:
-            yield piece, share
+def _stresses(
+    ends: Sequence[_Ends], b: float, felt: Callable[[float], tuple[Floats, Floats]]
+) -> tuple[Floats, Floats]:
+    """Return rows (places, n) of the axial and the bending stress by those of N and M."""
+    axial, bending = list[Floats](), list[Floats]()
+    for s, h in (end for each in ends for end in each):
+        N, M = felt(s)
+        axial.append(N / (b * h))
+        bending.append(6.0 / (b * h**2) * M)
+    return np.array(axial), np.array(bending)
 
 
 def _place(elements: Sequence[_Element], s: float) -> tuple[int, float]:

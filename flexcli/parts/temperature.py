@@ -61,7 +61,7 @@ def held_share(blade: Blade | SpaceBlade | SpaceRod, nu: float) -> float:
         return 0.0
     if not isinstance(blade, SpaceStar) and not isinstance(blade.profile, Constant):
         return 0.0
-    l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
+    l = _length(blade)
     return float(held_growth(b=blade.b, l=l, poisson_ratio=nu))
 
 
@@ -104,7 +104,7 @@ def held_lengths(layout: Layout, nu: float) -> float:
     """
     doubt = 0.0
     for blade in layout.blades:
-        l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
+        l = _length(blade)
         own, first, second = (
             float(column(strain)[0])
             for strain in (
@@ -126,7 +126,7 @@ def held_bending(layout: Layout, nu: float) -> float:
     """
     doubt = 0.0
     for blade in layout.blades:
-        l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
+        l = _length(blade)
         own = float(column(layout.blade_growth[blade.name])[0])
         held = max(
             abs(own - float(column(layout.body_growth[body])[0]))
@@ -150,10 +150,14 @@ def sheared_across(layout: Layout) -> float:
             float(column(layout.body_growth[body])[0]) for body in (blade.first, blade.second)
         )
         w = abs((height - middle) * (first - second))
-        l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
+        l = _length(blade)
         strain = 3.0 * float(column(blade.b)[0]) * w / l**2
         found = max(found, strain if isinstance(blade.profile, Constant) or not w else inf)
     return found
+
+
+def _length(blade: Blade | SpaceBlade | SpaceStar) -> float:
+    return hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
 
 
 def _thickest(blade: Blade, l: float) -> float:
@@ -288,7 +292,7 @@ class Temperature(Part):
         changes, found = self.changes(layout, axes).blades, 0.0
         for blade in layout.blades:
             x, y = (float(e - s) for s, e in zip(blade.start, blade.end, strict=True))
-            l = hypot(x, y)
+            l = _length(blade)
             more = abs(rise_y * x - rise_x * y) / l * _thickest(blade, l) / 2.0
             found = max(found, self._growth_towards_assembly(material, changes[blade.name], more))
         return found

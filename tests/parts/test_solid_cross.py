@@ -30,18 +30,25 @@ def rows(name: str) -> Any:
     return json.loads((Path(__file__).parent / name).read_text(encoding="utf-8"))
 
 
-def numbers(
-    joint: tuple[float, float, float, float], nu: float, asked: str, **case: Any
-) -> tuple[float, float, float]:
-    """Return a number [SI] of sizes over the length by corrected exact beams, and its range."""
+def drawn(joint: Any, nu: float) -> dict[str, Any]:
+    """Return material and geometry of a spec, of sizes over the length."""
     h, b, crossing, degrees = joint
-    words = {
+    return {
         "flexure": 1,
         "material": {"name": "drawn", "youngs_modulus": f"{E} Pa", "poisson_ratio": nu},
         "geometry": {
             "kind": "unseparated-cross", "h": f"{h * L!r} m", "l": f"{L} m", "b": f"{b * L!r} m",
             "crossing": crossing, "half_angle": f"{degrees!r} deg",
         },
+    }  # fmt: skip
+
+
+def numbers(
+    joint: tuple[float, float, float, float], nu: float, asked: str, **case: Any
+) -> tuple[float, float, float]:
+    """Return a number [SI] of sizes over the length by corrected exact beams, and its range."""
+    words = {
+        **drawn(joint, nu),
         "cases": {"work": case or {"stroke": {"rotation": "1e-6 rad"}}},
         "requirements": {asked: MEANT[asked]},
     }  # fmt: skip
@@ -115,15 +122,9 @@ def test_what_buckles_solids_is_in_the_range_of_exact_beams(row):
 
 def deflection(joint: Any, nu: float, axis: str) -> tuple[float, float]:
     """Return the range of a motion by a force or moment along an axis, as if l = E = 1."""
-    h, b, crossing, degrees = joint
     unit, most = ("N*m", "1 rad") if axis.startswith("theta") else ("N", "1 m")
     words = {
-        "flexure": 1,
-        "material": {"name": "drawn", "youngs_modulus": f"{E} Pa", "poisson_ratio": nu},
-        "geometry": {
-            "kind": "unseparated-cross", "h": f"{h * L!r} m", "l": f"{L} m", "b": f"{b * L!r} m",
-            "crossing": crossing, "half_angle": f"{degrees!r} deg",
-        },
+        **drawn(joint, nu),
         "cases": {"work": {"wrench": {axis: f"1e-3 {unit}"}}},
         "requirements": {"deflection": [{"direction": axis, "max": most}]},
     }  # fmt: skip

@@ -1,6 +1,6 @@
 """Compliant clamps: the reduced stiffness of blades cut from one piece with their bodies."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -15,7 +15,7 @@ from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import CompliantClamps, Factor
 from flexcli.parts.geometries.base import MOVING, PIECE, ROUNDING, Held
 
-__all__ = ["CANCELS", "Roots", "Shift", "compliant_clamps", "linked_clamps", "shift_within"]
+__all__ = ["Roots", "Shift", "compliant_clamps", "linked_clamps", "shift_within"]
 
 Floats = NDArray[np.float64]
 
@@ -114,7 +114,7 @@ def compliant_clamps(
         (lowest - 1.0, spread if len(layout.bodies) > 1 else 0.0),
         spread + max(softer),
         Factor(max((1.0 + (least + most) / 2.0) ** -2, lowest), lowest, 1.0),
-        shift_within(least, most, shift),
+        shift_within(map(_shortening, (least, most)), shift, (0.0, OF_NEXT)),
         max(*whole, *(strip.out for strip in strips)),
     )
 
@@ -219,15 +219,20 @@ def _arc(blade: Floats, roots: Floats) -> float:
     return float(roots[2, 2] / blade[2, 2])
 
 
-def shift_within(least: float, most: float, shift: Shift) -> tuple[float, float]:
-    """Return the range of the change of the shift, for a given increase of an arc's rotation."""
-    found = []
-    for more in (least, most):
-        pure, bent = _shortening(more)
+def shift_within(
+    shapes: Iterable[tuple[float, float]], shift: Shift, off: tuple[float, float]
+) -> tuple[float, float]:
+    """Return the range of the change of the shift.
+
+    By the changes of the shortening of an arc and of an S, of which there may be several, and
+    between what errors that is known, as shares of it.
+    """
+    found = list[float]()
+    for pure, bent in shapes:
         change = shift(pure, bent)
         if change is None:
             return -CANCELS * abs(pure), CANCELS * abs(pure)
-        found += [change, change * (1.0 + OF_NEXT)]
+        found += [change * (1.0 + each) for each in off]
     return min(found), max(found)
 
 

@@ -8,7 +8,7 @@ from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.linear import LinearSolution, linear
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import FilletedRoots
-from flexcli.parts.bending.compliant_clamps import CANCELS, Shift
+from flexcli.parts.bending.compliant_clamps import Shift, shift_within
 from flexcli.parts.geometries.base import MOVING, Held
 
 __all__ = ["filleted_roots"]
@@ -41,7 +41,7 @@ def filleted_roots(
     (drive, stress), (stiffer, peak) = numbers
     arcs = [_turn(new) / _turn(old) - 1.0 for old, new in _pairs(plain, filleted)]
     ratio = max(_radius_share(blade) for blade in filleted.blades)
-    moved = _shifted([_shortened(blade) for blade in filleted.blades], shift)
+    moved = shift_within(map(_shortened, filleted.blades), shift, (-OF_SHAPES, OF_SHAPES))
     return FilletedRoots(ratio, stiffer / drive, peak / stress, moved, min(arcs))
 
 
@@ -63,17 +63,6 @@ def _turn(blade: Blade) -> float:
     """Return the rotation of a blade per moment at its end, at E b = 1 [1/m²]."""
     l = _length(blade)
     return float(planar_compliance(blade.profile, E=1.0, l=l, b=1.0, a=l)[2, 2])
-
-
-def _shifted(shapes: list[tuple[float, float]], shift: Shift) -> tuple[float, float]:
-    """Return the range of the change of the shift by that of the shortening of both shapes."""
-    found = list[float]()
-    for pure, bent in shapes:
-        change = shift(pure, bent)
-        if change is None:
-            return -CANCELS * abs(pure), CANCELS * abs(pure)
-        found += [change * (1.0 - OF_SHAPES), change * (1.0 + OF_SHAPES)]
-    return min(found), max(found)
 
 
 def _shortened(blade: Blade) -> tuple[float, float]:
