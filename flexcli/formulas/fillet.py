@@ -7,11 +7,14 @@ from flexcli.formulas import notch
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Numbers
 
-__all__ = ["CARDS", "axial_factor", "bending_factor"]
+__all__ = ["ABOVE", "CARDS", "axial_factor", "bending_factor"]
 
 FITTED, APART = 20.0, 0.5
 """Largest h/r of the fillets that were compared, and how far apart they were, over h; else the
 deep notch is taken."""
+
+ABOVE = 0.025
+"""By what share of itself the axial stress may be above that of plane bodies."""
 
 
 def bending_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:

@@ -5,11 +5,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.fillet import ABOVE
+from flexcli.formulas.notch import sheared_peak
+from flexcli.formulas.profile import Filleted, Notch
+from flexcli.mechanics.layout import Blade
 from flexcli.mechanics.mesh import Segment, column, pick
 from flexcli.mechanics.section_forces import flexible_pieces, section_forces
 from flexcli.mechanics.state import Equilibrium, Part
 
-__all__ = ["BladeStress", "Peak", "blade_stress", "greatest_stress"]
+__all__ = ["BladeStress", "Peak", "beside_beam", "blade_stress", "greatest_stress"]
 
 Floats = NDArray[np.float64]
 
@@ -26,12 +30,14 @@ class BladeStress(NamedTuple):
     """Stress along one blade (designs, points) [Pa] at places s [m] from its start.
 
     ``bending`` is 6M/(b h²) with the sign of the moment, which is positive when it turns the end
-    anticlockwise and then stretches the face on the right of the way from start to end.
+    anticlockwise and then stretches the face on the right of the way from start to end; ``h`` are
+    the thicknesses there [m].
     """
 
     s: Floats
     bending: Floats
     axial: Floats
+    h: Floats
 
     @property
     def left(self) -> Floats:
@@ -42,6 +48,13 @@ class BladeStress(NamedTuple):
     def right(self) -> Floats:
         """Return the stress at the right face [Pa]."""
         return self.axial + self.bending
+
+    @property
+    def sheared(self) -> Floats:
+        """Return the bending stress of the moment beyond the one in the middle place [Pa]."""
+        middle = self.h.shape[-1] // 2, self.h.shape[-1] // 2 + 1
+        there = self.bending[..., slice(*middle)] * self.h[..., slice(*middle)] ** 2
+        return self.bending - there / self.h**2
 
 
 class Peak(NamedTuple):
@@ -74,7 +87,7 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
     Returns
     -------
     BladeStress
-        Place, bending stress and axial stress.
+        Place, bending stress, axial stress and thickness.
 
     """
     index = [b.name for b in state.layout.blades].index(blade)
@@ -85,6 +98,46 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
         ]
         values.append(np.concatenate(found, axis=-1))
     return BladeStress(*np.moveaxis(state.scatter(values), 1, 0))
+
+
+def beside_beam(blade: Blade, found: BladeStress) -> tuple[Floats, Floats] | None:
+    """Return what no beam has of the bending stress of a hinge, and the error of its stress.
+
+    Forces across the thickness stress the faces beside a throat more, and the concentration of a
+    pull where fillets begin is above the true one.
+
+    Parameters
+    ----------
+    blade : Blade
+        A blade; one that has no throat, or whose nominal stress is asked for, has nothing of that.
+    found : BladeStress
+        Its stress by bending and pull.
+
+    Returns
+    -------
+    added, off : array, shape (designs, points)
+        The stress with the sign of the bending, and how far it may be off either way [Pa].
+
+    References
+    ----------
+    :func:`flexcli.formulas.notch.sheared_peak`, :func:`flexcli.formulas.fillet.axial_factor`.
+
+    """
+    if np.all(np.asarray(blade.peak[0]) == 1.0):
+        return None
+    l, pulled = np.hypot(*np.subtract(blade.end, blade.start)), 0.0
+    match blade.profile:
+        case Notch(e=e, depth=depth):
+            at = {"e": e, "rho": column(l) ** 2 / (4.0 * depth), "depth": depth}
+        case Filleted(h=h, r=r):
+            at = {"e": h, "rho": r, "straight": column(l) - 2.0 * r}
+            pulled = ABOVE
+        case _:
+            return None
+    shares = (np.reshape(each, (-1, 1)) for each in sheared_peak(**at))
+    more, off = (np.tile(each, (len(found.bending) // len(each), 1)) for each in shares)
+    sheared = found.sheared
+    return more * sheared, off * np.abs(sheared) + pulled * np.abs(found.axial)
 
 
 def greatest_stress(state: Equilibrium) -> Peak:
@@ -113,11 +166,11 @@ def greatest_stress(state: Equilibrium) -> Peak:
 
 
 def _stress(state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats) -> Floats:
-    """Return place, bending stress and axial stress (designs, 3, points)."""
+    """Return place, bending stress, axial stress and thickness (designs, 4, points)."""
     at = section_forces(state, part, blade, segment, u)
     bends, pulls = (pick(column(k), part.rows)[:, None] for k in state.layout.blades[blade].peak)
     bending = bends * 6.0 * at.M / (at.b * at.h**2)
-    return np.stack([at.s, bending, pulls * at.N / (at.b * at.h)], axis=1)
+    return np.stack([at.s, bending, pulls * at.N / (at.b * at.h), at.h], axis=1)
 
 
 def _peak(state: Equilibrium, part: Part, blade: int, axial_share: float) -> Floats:
@@ -128,7 +181,7 @@ def _peak(state: Equilibrium, part: Part, blade: int, axial_share: float) -> Flo
         low, high = np.full(designs, -1.0), np.ones(designs)
         for _ in range(_ZOOMS):
             u = low[:, None] + (high - low)[:, None] * _SHARE
-            s, bending, axial = np.moveaxis(_stress(state, part, blade, segment, u), 1, 0)
+            s, bending, axial, _ = np.moveaxis(_stress(state, part, blade, segment, u), 1, 0)
             value = np.abs(bending) + axial_share * np.abs(axial)
             top = np.argmax(value, axis=1)
             better = value[each, top] > best[:, 0]

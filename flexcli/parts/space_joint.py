@@ -170,7 +170,7 @@ class SpaceJoint:
             changes = []
             for sign in (1.0, -1.0):
                 energy = k[group] * (t * g + sign * f) ** 2
-                used = energy > ROUNDING**2 * sum(work)
+                used = energy > ROUNDING**2 * work[1]  # both are of the load's size
                 energy, stiffer = energy[used], self.high[group][used]
                 own = float(energy.sum())
                 down = own - own / (1.0 + float(energy @ stiffer) / own) if own else 0.0

@@ -31,7 +31,7 @@ from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import POINTS
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.state import Equilibrium
-from flexcli.mechanics.stresses import BladeStress, blade_stress
+from flexcli.mechanics.stresses import beside_beam, blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, one_alone, states_of
 from flexcli.parts.effect_names import EffectName
@@ -300,8 +300,8 @@ class ExactModel(JointModel):
 
         What lies between the places at which the stress is sampled counts besides, and what a
         temperature may add or relieve that rises through the thickness of blades, or makes bodies
-        grow along the axis between blades at different heights; and what blades that bend under
-        their own weight do when they are bent and pulled already.
+        grow along the axis between blades at different heights; what blades that bend under their
+        own weight do when they are bent and pulled already; and what hinges are beside beams.
         """
         state, scene = self.states(ask), ask.scene
         before, temperature, axes = state.coarser, scene.temperature, ask.geometry.axes
@@ -309,17 +309,24 @@ class ExactModel(JointModel):
         weights, off = BladeWeights.of(ask), 0.0
         for index, blade in enumerate(state.layout.blades):
             fine = blade_stress(state, blade.name, POINTS)
-            total = fine
+            total, hinge, own = fine, beside_beam(blade, fine), 0.0
+            if hinge is not None:
+                total = total._replace(bending=total.bending + hinge[0])
             if weights is not None:
                 added = weights.stress(index)
-                total = BladeStress(fine.s, fine.bending + added[1], fine.axial + added[0])
-                off = larger(
-                    off, weights.off(index, added, fine.axial, fine.bending, state.motions)
+                total = total._replace(
+                    bending=total.bending + added[1], axial=total.axial + added[0]
                 )
+                own += weights.off(index, added, fine.axial, fine.bending, state.motions)
             faces = {"left": states_of(total.left), "right": states_of(total.right)}
             wide = factors_of_states(ask, blade, fine) if scene.moves else None
             found.extend(worst_of_stroke(ask, blade.name, faces, wide))
-            most = larger(most, *(largest_of_each(np.abs(face)) for face in faces.values()))
+            here = larger(*(largest_of_each(np.abs(face)) for face in faces.values()))
+            most = larger(most, here)
+            if hinge is not None:
+                unsure = (np.abs(face) + states_of(hinge[1]) for face in faces.values())
+                own += larger(*map(largest_of_each, unsure)) - here
+            off = larger(off, own)
             if before is not None:
                 coarse = blade_stress(before, blade.name, POINTS)
                 pairs = ((fine.left, coarse.left), (fine.right, coarse.right))

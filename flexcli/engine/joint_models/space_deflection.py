@@ -263,6 +263,8 @@ class _Asked:
 
     def _grown(self, own: float, work: float) -> float:
         """Return how far what the size of the load changes is off, infinite where nobody knows."""
+        if own == 0.0:
+            return 0.0  # of what is held, too, on which nothing works
         if abs(own) > MOST * work:
             return inf
         # a load amplifies as 1/(1 − s), s its share of what buckles the joint

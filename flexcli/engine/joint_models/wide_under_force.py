@@ -57,7 +57,7 @@ def factors_of_states(ask: Ask, blade: Blade, stress: BladeStress) -> StateFacto
             ask.material.elastic.E,
         )
     )  # fmt: skip
-    s, bent, axial = (states_of(each) for each in stress)
+    s, bent, axial = (states_of(each) for each in (stress.s, stress.bending, stress.axial))
     along = np.diff(s, axis=-1)
     whole = along.sum(axis=-1)
 
