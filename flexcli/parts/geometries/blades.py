@@ -11,7 +11,7 @@ from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.card import SLENDER, Range
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
-from flexcli.numerics.rows import number
+from flexcli.numerics.rows import number, one_by_one
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import CompliantClamps, FilletedRoots
 from flexcli.parts.elastic import Elastic
@@ -155,6 +155,14 @@ class BladeGeometry(ClampedBlades):
         from flexcli.formulas.fillet import axial_factor, bending_factor
 
         return bending_factor(**at), axial_factor(**at)
+
+    def peaks_above(self, sizes: Blade) -> Computed:
+        """Return what those of its fillets may be less."""
+        if self.root_radius is None:
+            return 0.0
+        from flexcli.formulas.fillet import factors_above
+
+        return one_by_one(factors_above, sizes.h, sizes.l, self.fillet(sizes))
 
     def filleted(self, sizes: Blade, nu: float) -> FilletedRoots | None:
         """Return the changes of its closed forms by its fillets."""
