@@ -209,7 +209,8 @@ def pulled_straight(pulled: float, pushed: float) -> float:
     """
     if pulled <= 4.0 * pi**2:
         return 1.0
-    return (pulled + pushed) / (pulled**0.5 + pushed)
+    more: float = (pulled + pushed) / (pulled**0.5 + pushed)
+    return more
 
 
 def turning_load(
