@@ -13,7 +13,9 @@ from scipy.optimize import brentq
 
 import flexcli
 from flexcli.formulas.clamps import clamp_compliance, extra_length
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import AnyGeometry
+from flexcli.parts.space_joint import SpaceJoint
 from flexcli.results import Status, Verdict
 
 BODIES = {
@@ -254,6 +256,36 @@ def test_support_and_buckling_contain_what_the_roots_give_way():
         found = judged({**spec, "clamps": clamps}, asked, **payload)
         for name in ("support", "buckling"):
             assert row(found.checks, name).passed is verdict
+
+
+@pytest.mark.parametrize("clamps", ["monolithic", "monolithic-flush"])
+@pytest.mark.parametrize(("l", "b"), [(6.0, 1.0), (10.0, 20.0), (40.0, 3.0)])
+def test_a_blade_in_space_gives_way_at_its_roots_as_plane_bodies_do(l, b, clamps):
+    """Stretched, across its thickness and turned, about its middle, at ν = 0; E = 1, h = 1."""
+    nu, body = 0.0, FLUSH if clamps == "monolithic-flush" else BODIES["large"]
+    joint = TypeAdapter(AnyGeometry).validate_python(
+        {"kind": "guided-blade", "clamps": clamps, "h": "1 m", "l": f"{l} m", "b": f"{b} m"}
+    )
+    sizes = joint.sized({})
+    layout = joint.space_layout(Elastic(1.0, nu), sizes)
+    found = SpaceJoint(layout, roots=joint.root_springs(sizes, nu))
+    half = np.diag(compliance(l / 2.0, **body, nu=nu))
+    for spring, true in ((0, 0.5 * b / half[2]), (1, 0.5 * b / half[1]), (5, 0.5 * b / half[0])):
+        rigid = found.assembly.stiffness[spring]
+        assert rigid * (1.0 + found.low[spring]) <= true <= rigid * (1.0 + found.high[spring])
+
+
+def test_a_support_gives_way_as_much_as_its_own_springs_do():
+    """A force across the width bends it as that of a blade in plane bending on the same roots."""
+    spec = geometry("leaf-spring-stage", "monolithic", h=0.2, l=10.0, b=2.0, spacing=30.0)
+    asked = {"support": [{"direction": each, "min": "1 N/m"} for each in ("x", "y", "z")]}
+    ranges = {
+        check.name.split()[1]: check.factor_range[0] / check.factor
+        for check in judged(spec, asked).checks
+    }
+    stretched = 2.0 * 8.0 * 0.2 / 10.0
+    assert ranges["y"] == pytest.approx(1.0 / (1.0 + stretched), rel=0.01)
+    assert ranges["z"] < ranges["y"] < ranges["x"] < 1.0
 
 
 def row(checks, name):

@@ -250,8 +250,9 @@ def _hinge(blade: SpaceBlade, l: float) -> MemberSprings:
     low, high, known, at_stroke = _hinge_errors(blade, l)
     known = known and not isinstance(blade.material, Directed)  # of which no solid was made
     if isinstance(blade.profile, Filleted) and isinstance(blade.material, Isotropic):
+        ends = float(blade.profile.h), float(blade.profile.r)
         errors = (low, high) if known else (np.full(6, -1.0), np.full(6, np.inf))
-        stiffness, low, high, surely = _between_blades(blade, l, stiffness, errors)
+        stiffness, low, high, surely = _between_blades(blade, l, ends, stiffness, errors)
         springs, known = springs._replace(stiffness=stiffness), known or surely
     if any(blade.blocks):
         springs, low, high = _between_blocks(blade, l, springs, low, high)
@@ -259,14 +260,19 @@ def _hinge(blade: SpaceBlade, l: float) -> MemberSprings:
 
 
 def _between_blades(
-    blade: SpaceBlade, l: float, stiffness: Floats, errors: tuple[Floats, Floats]
+    blade: SpaceBlade,
+    l: float,
+    ends: tuple[float, float],
+    stiffness: Floats,
+    errors: tuple[Floats, Floats],
 ) -> tuple[Floats, Floats, Floats, bool]:
     """Return the springs of a blade with fillets, their errors, and whether they are known so.
 
+    ``ends`` are its thickness between them and their radius.
     It is no softer than the blade without its fillets, no stiffer than one that ends where they
     begin: what is added to a body, and what of it is made rigid, stiffens it against any load.
     """
-    h, r = float(blade.profile.h), float(blade.profile.r)
+    h, r = ends
     soft, (known, _) = _clamped(blade, h, l)
     least = soft.stiffness * (1.0 + soft.low)
     most = np.full(6, np.inf)

@@ -15,7 +15,14 @@ from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import CompliantClamps, Factor
 from flexcli.parts.geometries.base import MOVING, PIECE, ROUNDING, Held
 
-__all__ = ["Roots", "Shift", "compliant_clamps", "linked_clamps", "shift_within"]
+__all__ = [
+    "Roots",
+    "Shift",
+    "compliant_clamps",
+    "linked_clamps",
+    "root_springs",
+    "shift_within",
+]
 
 Floats = NDArray[np.float64]
 
@@ -133,6 +140,37 @@ def _bounds(layout: Layout, held: Held, strips: list[_Strip]) -> tuple[float, fl
         q = strip.blade @ f
         by_motion += float(q @ np.linalg.solve(strip.blade + strip.least, q) - f @ q)
     return 1.0 / (1.0 + by_force / whole), 1.0 + by_motion / whole
+
+
+def root_springs(layout: Layout, roots: Roots) -> Floats:
+    """Return what roots add to five compliances of each blade, at most, times E.
+
+    Of stretching, of forces across its thickness and across its width, both at its middle, and of
+    bending its width and its thickness: shape (blades, 5) [1/m, 1/m³ of the last two]. Every strip
+    of its width stretches by itself.
+    """
+    return np.array([_of_root(blade, roots) for blade in layout.blades])
+
+
+def _of_root(blade: Blade, roots: Roots) -> Floats:
+    l, b = float(np.hypot(*np.subtract(blade.end, blade.start))), float(blade.b)
+    places, added = list(_places(blade, l, roots)), np.zeros(5)
+    mirrored = sorted((round((l - s) / l, 9), round(h / l, 9)) for s, _, h, _ in places)
+    even = mirrored == sorted((round(s / l, 9), round(h / l, 9)) for s, _, h, _ in places)
+    for s, _, h, _ in places:
+        found = roots.compliance(h, b)
+        arm = abs(s - l / 2.0) if even else l
+        turned, stretched = found.most / (b * h**2), found.stretch / b
+        wide = 12.0 * stretched / b**2
+        added += (
+            stretched,
+            turned * arm**2 + found.shift / b + 2.0 * arm * found.mixed / (b * h),
+            wide * arm**2 + ACROSS * stretched,
+            wide,
+            turned,
+        )
+    # ends that differ couple forces with moments
+    return added if even else added * np.array([1.0, 2.0, 2.0, 2.0, 2.0])
 
 
 def linked_clamps(each: Sequence[CompliantClamps | None]) -> CompliantClamps | None:
