@@ -120,6 +120,66 @@ def test_a_pivot_on_springs_lies_in_the_range(slender, delta, half, body):
     assert softer >= 1.0 / (1.0 + found.softest)
 
 
+def bent(joint, roots):
+    """Return the largest moment at a root for a unit rotation of the body, E = b = 1.
+
+    ``roots`` (blades, 2, 4) are turn, shift, both, and stretch of each, the inner end first.
+    """
+    h, l, p, angles = joint
+    shear = 1.2 * 2.0 * (1.0 + NU)
+    K, blades = np.zeros((3, 3)), []
+    for angle, (inner, outer) in zip(angles, roots, strict=True):
+        C = np.zeros((3, 3))
+        C[0, 0] = l / h + inner[3] + outer[3]
+        C[1:, 1:] = 12.0 / h**3 * np.array([[l**3 / 3, l**2 / 2], [l**2 / 2, l]])
+        C[1, 1] += shear * l / h
+        for (turn, shift, mixed, _), arm, sense in ((inner, l, 1.0), (outer, 0.0, -1.0)):
+            spring = np.array([[turn / h**2, sense * mixed / h], [sense * mixed / h, shift]])
+            at = np.array([[arm, 1.0], [1.0, 0.0]])
+            C[1:, 1:] += at.T @ spring @ at
+        B = np.array(
+            [[cos(angle), sin(angle), 0.0], [-sin(angle), cos(angle), p + l], [0.0, 0.0, 1.0]]
+        )
+        blades.append((C, B))
+        K += B.T @ np.linalg.solve(C, B)
+    motion = np.append(-np.linalg.solve(K[:2, :2], K[:2, 2]), 1.0)
+    forces = [np.linalg.solve(C, B @ motion) for C, B in blades]
+    faces = [
+        abs(6.0 * (across * arm + moment) / h**2) + abs(along / h)
+        for along, across, moment in forces
+        for arm in (l, 0.0)
+    ]
+    return max(faces)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    slender=st.floats(0.005, 0.15),
+    p=st.integers(-18, 20).map(lambda n: n / 20.0),
+    half=st.floats(0.3, 1.2),
+    bodies=st.lists(
+        st.sampled_from([(5.0, 3.8, 0.5, 2.5), (4.82, 2.1, 0.35, 1.1), (5.22, 9.8, 1.3, 4.5)]),
+        min_size=4, max_size=4,
+    ),
+)  # fmt: skip
+def test_the_stress_of_a_pivot_whose_roots_differ_lies_in_the_range(slender, p, half, bodies):
+    joint, none = (slender, 1.0, p, (half, -half)), np.zeros((2, 2, 4))
+    sizes = {"h": f"{slender!r} m", "l": "1 m", "b": "1 m", "clamps": "monolithic"}
+    spec = {"kind": "cross-spring", "delta": p, "half_angle": f"{half!r} rad", "tilt": "held"}
+    least, most = giving({**spec, **sizes}).stress
+    changed = bent(joint, np.reshape(bodies, (2, 2, 4))) / bent(joint, none) - 1.0
+    assert least <= changed <= most
+
+
+def test_roots_that_surely_give_way_lower_the_stress_of_a_stroke():
+    """Of an S by 6 Δ/l, Δ = 5 h/12, of an arc by 2 Δ/l."""
+    for kind, share in (("guided-blade", 6.0), ("moment-blade", 2.0)):
+        least, most = giving(geometry(kind, "monolithic", h=1.0, l=40.0, b=1.0 / PLANE), 0.0).stress
+        assert least <= 1.0 / (1.0 + share * extra_length(h=1.0) / 40.0) - 1.0 <= most
+        assert most < 0.0
+        assert most - least < 0.02
+
+
 @pytest.mark.parametrize("slender", [0.005, 0.02, 0.08])
 def test_euler_loads_of_columns_on_turning_springs_lie_in_the_range(slender):
     """Clamped, and guided: u = ½ l √(P/EI) is a root of tan u = −2 u Δ/l and of u tan u = l/2Δ."""
