@@ -348,6 +348,21 @@ def test_a_support_gives_way_as_much_as_its_own_springs_do():
     assert ranges["z"] < ranges["y"] < ranges["x"] < 1.0
 
 
+@pytest.mark.parametrize("h", [2.0, 3.0])
+def test_beams_in_space_that_tell_the_stress_of_a_tilting_body_know_of_its_roots(h):
+    """Beams upright have their stress lowered by roots that surely give way."""
+    spec = geometry("cross-spring", "monolithic", h=h, l=20.0, b=20.0, half_angle="60 deg")
+    spec["delta"] = -1.0 / 3.0
+    cases = {"turned": {"stroke": {"rotation": "2 mrad"}}}
+    asked = judged(spec, {"yield": 1e-3}, model="exact", cases=cases)
+    upright = judged({**spec, "tilt": "held"}, {"yield": 1e-3}, model="exact", cases=cases)
+    (low, high), (least, most) = (
+        row(found.checks, "yield").factor_range for found in (asked, upright)
+    )
+    assert low <= most
+    assert least <= high
+
+
 def row(checks, name):
     (found,) = (check for check in checks if check.name.startswith(name))
     return found

@@ -305,7 +305,9 @@ def _between_blocks(
     found = BladeSprings(1.0 / whole, springs.across_thickness, springs.across_width)
     softer[3] += WARPED * alone[3]
     low = whole / (alone / (1.0 + low) + softer) - 1.0
-    return found, low, whole / (alone / (1.0 + high) + stiffer) - 1.0
+    with np.errstate(divide="ignore"):  # where nothing is known of how stiff it is
+        high = whole / (alone / (1.0 + high) + stiffer) - 1.0
+    return found, low, high
 
 
 def _bars(blade: SpaceBlade, l: float, H: float, L: float) -> Floats:
