@@ -7,14 +7,15 @@ from flexcli.formulas import notch
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Numbers
 
-__all__ = ["ABOVE", "CARDS", "axial_factor", "bending_factor"]
+__all__ = ["CARDS", "axial_factor", "bending_factor", "factors_above"]
+
+ABOVE, ABOVE_SHORT = 0.027, 0.045
+"""What the factor along a blade is above that of plane bodies at most, where it was fitted; the
+second of blades less than h between their fillets."""
 
 FITTED, APART = 20.0, 0.5
 """Largest h/r of the fillets that were compared, and how far apart they were, over h; else the
 deep notch is taken."""
-
-ABOVE = 0.025
-"""By what share of itself the axial stress may be above that of plane bodies."""
 
 
 def bending_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
@@ -87,6 +88,37 @@ def axial_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
     x = np.asarray(h, dtype=np.float64) / r
     fitted = (1.0 + 0.49 * x / (1.0 + 0.053 * x)) ** 0.675
     return np.where(_is_fitted(h, l, r), fitted, notch.axial_factor(e=x, r=1.0))[()]
+
+
+def factors_above(h: float, l: float, r: float) -> float:
+    """Return by what share of it the peak of a stress may be less than these factors say [-].
+
+    ``min(0.027, 1 − 1/K_t)`` of the factor along the blade, which is the less sure of both, 0.045
+    with less than h between the fillets; where it was not fitted, no peak at all.
+
+    Parameters
+    ----------
+    h, l, r : float
+        Thickness, length with both fillets, and radius of these [m].
+
+    Returns
+    -------
+    share : float
+        Of the stress with the factor [-].
+
+    Examples
+    --------
+    >>> round(factors_above(0.2e-3, 20e-3, 0.2e-3), 3), round(factors_above(0.01, 2.0, 0.24), 3)
+    (0.027, 0.014)
+
+    References
+    ----------
+    The finite elements of ``axial_factor``.
+
+    """
+    least = 1.0 - 1.0 / float(axial_factor(h=h, l=l, r=r))
+    above = ABOVE if l - 2.0 * r >= h else ABOVE_SHORT
+    return min(above, least) if _is_fitted(h, l, r) else least
 
 
 def _is_fitted(h: Numbers, l: Numbers, r: Numbers) -> NDArray[np.bool_]:

@@ -1,7 +1,7 @@
 """Buckling of a joint of equal blades: the force at which its body turns away or a blade bows."""
 
 from collections.abc import Sequence
-from math import cos, inf, sin
+from math import cos, inf, pi, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,15 @@ from flexcli.formulas.buckling import thick_load
 from flexcli.formulas.card import SLENDER, Card
 from flexcli.formulas.pivot import axial_share
 
-__all__ = ["CARDS", "held_load", "shares", "sway", "turning_load", "turning_stiffness"]
+__all__ = [
+    "CARDS",
+    "held_load",
+    "pulled_straight",
+    "shares",
+    "sway",
+    "turning_load",
+    "turning_stiffness",
+]
 
 Floats = NDArray[np.float64]
 
@@ -170,6 +178,39 @@ def sway(*, angles: Sequence[float], shares: Sequence[float]) -> float:
     d = np.linalg.lstsq(u, np.asarray(shares), rcond=None)[0]
     across = np.abs(u[:, 0] * d[1] - u[:, 1] * d[0])
     return float(across.max() / np.abs(np.asarray(shares)).max())
+
+
+def pulled_straight(pulled: float, pushed: float) -> float:
+    """Return how much more a force that turns a body changes by what it changes of its blades.
+
+    ``(n + m)/(√n + m)`` from n = 4π² on, else 1: what straight blades of a large tension n hold a
+    body by is √n beside the n that turns it, so that a force which turns it by their stretching
+    alone is of no first order in that.
+
+    Parameters
+    ----------
+    pulled, pushed : float
+        Largest tension n and compression m of a blade [EI/l²].
+
+    Returns
+    -------
+    more : float
+        Factor on the relative change of the critical force over that of the blades [-].
+
+    Examples
+    --------
+    >>> pulled_straight(0.0, 40.0), pulled_straight(900.0, 0.0)
+    (1.0, 30.0)
+
+    References
+    ----------
+    From ``turning_stiffness`` at large n.
+
+    """
+    if pulled <= 4.0 * pi**2:
+        return 1.0
+    more: float = (pulled + pushed) / (pulled**0.5 + pushed)
+    return more
 
 
 def turning_load(

@@ -5,7 +5,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.fillet import ABOVE
 from flexcli.formulas.notch import sheared_peak
 from flexcli.formulas.profile import Filleted, Notch
 from flexcli.mechanics.layout import Blade
@@ -101,10 +100,9 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
 
 
 def beside_beam(blade: Blade, found: BladeStress) -> tuple[Floats, Floats] | None:
-    """Return what no beam has of the bending stress of a hinge, and the error of its stress.
+    """Return what no beam has of the bending stress of a hinge, and the error of that.
 
-    Forces across the thickness stress the faces beside a throat more, and the concentration of a
-    pull where fillets begin is above the true one.
+    Forces across the thickness stress the faces beside a throat more.
 
     Parameters
     ----------
@@ -120,24 +118,23 @@ def beside_beam(blade: Blade, found: BladeStress) -> tuple[Floats, Floats] | Non
 
     References
     ----------
-    :func:`flexcli.formulas.notch.sheared_peak`, :func:`flexcli.formulas.fillet.axial_factor`.
+    :func:`flexcli.formulas.notch.sheared_peak`.
 
     """
     if np.all(np.asarray(blade.peak[0]) == 1.0):
         return None
-    l, pulled = np.hypot(*np.subtract(blade.end, blade.start)), 0.0
+    l = np.hypot(*np.subtract(blade.end, blade.start))
     match blade.profile:
         case Notch(e=e, depth=depth):
             at = {"e": e, "rho": column(l) ** 2 / (4.0 * depth), "depth": depth}
         case Filleted(h=h, r=r):
             at = {"e": h, "rho": r, "straight": column(l) - 2.0 * r}
-            pulled = ABOVE
         case _:
             return None
     shares = (np.reshape(each, (-1, 1)) for each in sheared_peak(**at))
     more, off = (np.tile(each, (len(found.bending) // len(each), 1)) for each in shares)
     sheared = found.sheared
-    return more * sheared, off * np.abs(sheared) + pulled * np.abs(found.axial)
+    return more * sheared, off * np.abs(sheared)
 
 
 def greatest_stress(state: Equilibrium) -> Peak:

@@ -61,17 +61,27 @@ class SpaceJoint:
 
     ``low`` and ``high`` are the least and the largest relative error of every spring; an infinite
     high marks a stiffness of unknown excess over a beam's. ``members`` are the springs of the
-    layout's blades, where others than those by formulas are known.
+    layout's blades, where others than those by formulas are known. ``roots`` is what the roots of
+    its blades add to their compliances at most, times E (:meth:`Geometry.root_springs`).
     """
 
     def __init__(
-        self, layout: SpaceLayout, members: tuple[MemberSprings, ...] | None = None
+        self,
+        layout: SpaceLayout,
+        members: tuple[MemberSprings, ...] | None = None,
+        roots: Floats | None = None,
     ) -> None:
         self.layout = layout
         self.assembly = assemble(layout, members)
         exact = np.zeros(len(self.assembly.stiffness) - 6 * len(self.assembly.members))
         members = self.assembly.members
-        self.low = np.concatenate([*(m.low for m in members), exact])
+        low = [member.low for member in members]
+        if roots is not None:
+            low = [
+                _softened(member, float(blade.material.E), added)
+                for member, blade, added in zip(members, layout.blades, roots, strict=True)
+            ]
+        self.low = np.concatenate([*low, exact])
         self.high = np.concatenate([*(m.high for m in members), exact])
 
     @property
@@ -140,15 +150,13 @@ class SpaceJoint:
             left &= ~group
         return groups
 
-    def form(self, sought: Floats, load: Floats, softer: float = 0.0) -> Form:
+    def form(self, sought: Floats, load: Floats) -> Form:
         """Return a motion under a load, ``g·C f``, and its error.
 
         Parameters
         ----------
         sought, load : array
             Deformations of all springs under g and under f (springs,).
-        softer : float
-            By what share clamps may give way besides [-].
 
         Notes
         -----
@@ -158,7 +166,7 @@ class SpaceJoint:
 
         """
         found, low, high = 0.0, 0.0, 0.0
-        k, up = self.assembly.stiffness, (1.0 + softer) / (1.0 + self.low) - 1.0
+        k, up = self.assembly.stiffness, 1.0 / (1.0 + self.low) - 1.0
         whole = [float(k @ d**2) for d in (sought, load)]
         for group in self._apart:
             g, f = sought[group], load[group]
@@ -181,6 +189,18 @@ class SpaceJoint:
         return Form(found, (low, high) if self.is_known else None, (whole[0] * whole[1]) ** 0.5)
 
 
+def _softened(member: MemberSprings, E: float, added: Floats) -> Floats:
+    """Return the least errors of a blade's springs whose roots give way, ``added`` at most.
+
+    Twist is softened by no more than what stretches it and bends it across its thickness: by the
+    shear of its faces, and by the bending of its fibres to an S.
+    """
+    k = member.springs.stiffness
+    softer = k[[0, 1, 2, 4, 5]] / E * added
+    softer = np.array([*softer[:3], max(softer[0], softer[1]), *softer[3:]])
+    return np.asarray((1.0 + member.low) / (1.0 + (1.0 + member.low) * softer) - 1.0)
+
+
 MOST = 4
 """Joints kept: a design and one beside it, each warm and cold."""
 
@@ -198,6 +218,7 @@ class _Latest:
         sizes: Sizes,
         beside: tuple[object, ...],
         laid: Callable[[float], SpaceLayout],
+        roots: Callable[[], Floats | None] = lambda: None,
     ) -> SpaceJoint:
         """Return the joint of a design and of what stands beside it, found once.
 
@@ -205,11 +226,12 @@ class _Latest:
         """
         for i, (joint, drawn, made_of, own, others) in enumerate(self.known):
             same = made_of is material and all(map(is_, others, beside))
-            if same and drawn.has_blades_of(geometry) and own == sizes:
+            if same and drawn is geometry and own == sizes:
                 self.known.append(self.known.pop(i))
                 return joint
         try:
-            joint = SpaceJoint(laid(0.0 if material.density is None else material.density.value))
+            density = 0.0 if material.density is None else material.density.value
+            joint = SpaceJoint(laid(density), roots=roots())
         except SolveError as error:
             raise NotAvailable(f"has no stiffness: {error}") from error
         self.known = [*self.known[1 - MOST :], (joint, geometry, material, sizes, beside)]
@@ -241,7 +263,10 @@ def joint_in_space(
             return layout
         return temperature.warmed(layout, material, geometry.axes, geometry.body_materials)
 
-    return _LATEST.of(geometry, material, sizes, (temperature, None, None), laid)
+    def roots() -> Floats | None:
+        return geometry.root_springs(sizes, material.elastic.most_nu)
+
+    return _LATEST.of(geometry, material, sizes, (temperature, None, None), laid, roots)
 
 
 def on_pivots(whole: OutOfPlane, density: float, gyration: float) -> SpaceLayout:

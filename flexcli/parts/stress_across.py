@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.space.layout import SpaceRod
+from flexcli.formulas.profile import Filleted
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
 from flexcli.mechanics.space.second_order import SecondOrder
 from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
@@ -90,7 +91,7 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
     rest = _at_once(groups, stresses)
     if scene.temperature is not None:
         return AcrossStress(rest, None)  # nobody has told how far what it strains stiffens the rest
-    if not joint.is_known_in_stress or _leaves_plane(joint, scene, stresses, rest):
+    if not _is_told(joint, scene) or _leaves_plane(joint, scene, stresses, rest):
         return AcrossStress(rest, None)
     if not joint.is_uniform:
         return _across_hinges(joint, scene, acting, stresses, rest)
@@ -102,6 +103,17 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
     # what the stroke adds was taken as if largest at one place
     known = ErrorRange(-error - most / (rest + most), error)
     return AcrossStress(rest + most, known, (rest + most) * known.largest)
+
+
+def _is_told(joint: SpaceJoint, scene: Scene) -> bool:
+    """Return whether the stress of loads across was compared; of sharp fillets that is at rest."""
+    if joint.is_known_in_stress or scene.moves or not joint.is_known:
+        return joint.is_known_in_stress
+    filleted = all(
+        isinstance(blade, SpaceBlade) and isinstance(blade.profile, Filleted)
+        for blade in joint.layout.blades
+    )
+    return filleted and hull(map(hinge_stress_error, joint.layout.blades)) is not None
 
 
 def acting_across(joint: SpaceJoint, scene: Scene) -> list[Acting]:

@@ -46,6 +46,20 @@ def hinges(count, seed):
             yield kind, numbers, l, b, nu, blocks
 
 
+def sharp_fillets(count=14, seed=1):
+    """Yield blades thicker than the radius of their fillets, or of ν 0.45, in the same way."""
+    random = np.random.default_rng(seed)
+    while count:
+        nu = float(random.choice([0.0, 0.3, 0.45, 0.45]))
+        h = 10.0 ** (random.uniform(-0.6, 0.6) if nu == 0.45 else random.uniform(0.02, 0.6))
+        l = 2.0 + h * 10.0 ** random.uniform(0.6, 1.5)
+        b = h * 10.0 ** random.uniform(0.0, 1.5)
+        blocks = float(random.choice([0.0, 0.5, 1.0])) * (h + 2.0)
+        if b <= 2.0 * l and h <= l / 6.0 and b / (l + 2.0 * blocks) >= 0.01:
+            count -= 1
+            yield "filleted", [h, 1.0], l, b, nu, blocks
+
+
 def along(kind, numbers, l, blocks):
     """Return places and thicknesses along a hinge and its blocks, and which are between them."""
     profile = KINDS[kind](*numbers)
@@ -139,7 +153,7 @@ def row(hinge):
 def main():
     count, file = int(sys.argv[1]), Path(sys.argv[2])
     rows = []
-    for hinge in hinges(count, seed=101):
+    for hinge in (*hinges(count, seed=101), *sharp_fillets()):
         rows.append(row(hinge))
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")
     file.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")

@@ -142,6 +142,17 @@ def soft_fillets(count=16, seed=12):
             yield "filleted", [h, 1.0], l, b, nu
 
 
+def sharp_fillets(count=24, seed=14):
+    """Yield blades thicker than the radius of their fillets, in the same way."""
+    random = np.random.default_rng(seed)
+    while count:
+        nu, h = float(random.choice([0.0, 0.2, 0.3, 0.45])), float(10 ** random.uniform(0.05, 0.6))
+        l, b = h * float(10 ** random.uniform(0.8, 1.5)), h * float(10 ** random.uniform(0, 1.2))
+        if l >= 4.0 and b <= 3.0 * l:
+            count -= 1
+            yield "filleted", [h, 1.0], l, b, nu
+
+
 def stiffness(kind, numbers, l, b, nu, fineness=1):
     """Return six stiffnesses about the middle of a hinge by solids, over E."""
     profile = KINDS[kind](*(R * n for n in numbers))
@@ -158,7 +169,7 @@ def main():
     rows = []
     soft = *notches(12, 4, (0.45, 0.49), 1.2), *soft_fillets()
     wide = *very_wide_blades(), *wide_notches()
-    for hinge in (*hinges(), *notches(), *soft, *tapers(), *blades(), *wide):
+    for hinge in (*hinges(), *notches(), *soft, *tapers(), *blades(), *wide, *sharp_fillets()):
         fineness = 2 if hinge[0] == "blade" else 1
         rows.append([*hinge, stiffness(*hinge, fineness).tolist()])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")

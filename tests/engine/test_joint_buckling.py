@@ -69,6 +69,22 @@ def test_a_pivot_that_is_pulled_turns_away(joint_model):
     assert error is None or error.largest < 0.01
 
 
+@pytest.mark.parametrize("half_angle", [20, 45])
+def test_a_pivot_that_turns_by_the_stretching_of_pulled_blades_is_told_by_exact_beams(half_angle):
+    """Slender blades pulled hundreds of times as hard as buckles them: by path, not by straight."""
+    sizes = {"h": "5.2 um", "l": "1.28 mm", "b": "0.5 mm"}
+    thin = {"kind": "rcc", **sizes, "p": "0 mm", "half_angle": f"{half_angle} deg"}
+    asked = thin, "clamped-free", 0
+    for straight in (CLOSED_FORM, LinearModel()):
+        force, error = critical(straight, *asked)
+        found, known = critical(ExactModel(), *asked)
+        assert force != pytest.approx(found, rel=0.1)
+        assert error is None
+        assert known is not None
+    pushed = critical(CLOSED_FORM, thin, "clamped-free", 180)[1]
+    assert pushed is not None
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("ends", ENDS)
 @pytest.mark.parametrize("kind", ["cantilever", "leaf-spring-stage", "rcc", "cross-spring", "star"])

@@ -13,7 +13,9 @@ from scipy.optimize import brentq
 
 import flexcli
 from flexcli.formulas.clamps import clamp_compliance, extra_length
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import AnyGeometry
+from flexcli.parts.space_joint import SpaceJoint
 from flexcli.results import Status, Verdict
 
 BODIES = {
@@ -116,6 +118,66 @@ def test_a_pivot_on_springs_lies_in_the_range(slender, delta, half, body):
     softer = frame(joint, body) / rigid
     assert found.stiffness.low <= softer <= found.stiffness.high
     assert softer >= 1.0 / (1.0 + found.softest)
+
+
+def bent(joint, roots):
+    """Return the largest moment at a root for a unit rotation of the body, E = b = 1.
+
+    ``roots`` (blades, 2, 4) are turn, shift, both, and stretch of each, the inner end first.
+    """
+    h, l, p, angles = joint
+    shear = 1.2 * 2.0 * (1.0 + NU)
+    K, blades = np.zeros((3, 3)), []
+    for angle, (inner, outer) in zip(angles, roots, strict=True):
+        C = np.zeros((3, 3))
+        C[0, 0] = l / h + inner[3] + outer[3]
+        C[1:, 1:] = 12.0 / h**3 * np.array([[l**3 / 3, l**2 / 2], [l**2 / 2, l]])
+        C[1, 1] += shear * l / h
+        for (turn, shift, mixed, _), arm, sense in ((inner, l, 1.0), (outer, 0.0, -1.0)):
+            spring = np.array([[turn / h**2, sense * mixed / h], [sense * mixed / h, shift]])
+            at = np.array([[arm, 1.0], [1.0, 0.0]])
+            C[1:, 1:] += at.T @ spring @ at
+        B = np.array(
+            [[cos(angle), sin(angle), 0.0], [-sin(angle), cos(angle), p + l], [0.0, 0.0, 1.0]]
+        )
+        blades.append((C, B))
+        K += B.T @ np.linalg.solve(C, B)
+    motion = np.append(-np.linalg.solve(K[:2, :2], K[:2, 2]), 1.0)
+    forces = [np.linalg.solve(C, B @ motion) for C, B in blades]
+    faces = [
+        abs(6.0 * (across * arm + moment) / h**2) + abs(along / h)
+        for along, across, moment in forces
+        for arm in (l, 0.0)
+    ]
+    return max(faces)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    slender=st.floats(0.005, 0.15),
+    p=st.integers(-18, 20).map(lambda n: n / 20.0),
+    half=st.floats(0.3, 1.2),
+    bodies=st.lists(
+        st.sampled_from([(5.0, 3.8, 0.5, 2.5), (4.82, 2.1, 0.35, 1.1), (5.22, 9.8, 1.3, 4.5)]),
+        min_size=4, max_size=4,
+    ),
+)  # fmt: skip
+def test_the_stress_of_a_pivot_whose_roots_differ_lies_in_the_range(slender, p, half, bodies):
+    joint, none = (slender, 1.0, p, (half, -half)), np.zeros((2, 2, 4))
+    sizes = {"h": f"{slender!r} m", "l": "1 m", "b": "1 m", "clamps": "monolithic"}
+    spec = {"kind": "cross-spring", "delta": p, "half_angle": f"{half!r} rad", "tilt": "held"}
+    least, most = giving({**spec, **sizes}).stress
+    changed = bent(joint, np.reshape(bodies, (2, 2, 4))) / bent(joint, none) - 1.0
+    assert least <= changed <= most
+
+
+def test_roots_that_surely_give_way_lower_the_stress_of_a_stroke():
+    """Of an S by 6 Δ/l, Δ = 5 h/12, of an arc by 2 Δ/l."""
+    for kind, share in (("guided-blade", 6.0), ("moment-blade", 2.0)):
+        least, most = giving(geometry(kind, "monolithic", h=1.0, l=40.0, b=1.0 / PLANE), 0.0).stress
+        assert least <= 1.0 / (1.0 + share * extra_length(h=1.0) / 40.0) - 1.0 <= most
+        assert most < 0.0
+        assert most - least < 0.02
 
 
 @pytest.mark.parametrize("slender", [0.005, 0.02, 0.08])
@@ -254,6 +316,51 @@ def test_support_and_buckling_contain_what_the_roots_give_way():
         found = judged({**spec, "clamps": clamps}, asked, **payload)
         for name in ("support", "buckling"):
             assert row(found.checks, name).passed is verdict
+
+
+@pytest.mark.parametrize("clamps", ["monolithic", "monolithic-flush"])
+@pytest.mark.parametrize(("l", "b"), [(6.0, 1.0), (10.0, 20.0), (40.0, 3.0)])
+def test_a_blade_in_space_gives_way_at_its_roots_as_plane_bodies_do(l, b, clamps):
+    """Stretched, across its thickness and turned, about its middle, at ν = 0; E = 1, h = 1."""
+    nu, body = 0.0, FLUSH if clamps == "monolithic-flush" else BODIES["large"]
+    joint = TypeAdapter(AnyGeometry).validate_python(
+        {"kind": "guided-blade", "clamps": clamps, "h": "1 m", "l": f"{l} m", "b": f"{b} m"}
+    )
+    sizes = joint.sized({})
+    layout = joint.space_layout(Elastic(1.0, nu), sizes)
+    found = SpaceJoint(layout, roots=joint.root_springs(sizes, nu))
+    half = np.diag(compliance(l / 2.0, **body, nu=nu))
+    for spring, true in ((0, 0.5 * b / half[2]), (1, 0.5 * b / half[1]), (5, 0.5 * b / half[0])):
+        rigid = found.assembly.stiffness[spring]
+        assert rigid * (1.0 + found.low[spring]) <= true <= rigid * (1.0 + found.high[spring])
+
+
+def test_a_support_gives_way_as_much_as_its_own_springs_do():
+    """A force across the width bends it as that of a blade in plane bending on the same roots."""
+    spec = geometry("leaf-spring-stage", "monolithic", h=0.2, l=10.0, b=2.0, spacing=30.0)
+    asked = {"support": [{"direction": each, "min": "1 N/m"} for each in ("x", "y", "z")]}
+    ranges = {
+        check.name.split()[1]: check.factor_range[0] / check.factor
+        for check in judged(spec, asked).checks
+    }
+    stretched = 2.0 * 8.0 * 0.2 / 10.0
+    assert ranges["y"] == pytest.approx(1.0 / (1.0 + stretched), rel=0.01)
+    assert ranges["z"] < ranges["y"] < ranges["x"] < 1.0
+
+
+@pytest.mark.parametrize("h", [2.0, 3.0])
+def test_beams_in_space_that_tell_the_stress_of_a_tilting_body_know_of_its_roots(h):
+    """Beams upright have their stress lowered by roots that surely give way."""
+    spec = geometry("cross-spring", "monolithic", h=h, l=20.0, b=20.0, half_angle="60 deg")
+    spec["delta"] = -1.0 / 3.0
+    cases = {"turned": {"stroke": {"rotation": "2 mrad"}}}
+    asked = judged(spec, {"yield": 1e-3}, model="exact", cases=cases)
+    upright = judged({**spec, "tilt": "held"}, {"yield": 1e-3}, model="exact", cases=cases)
+    (low, high), (least, most) = (
+        row(found.checks, "yield").factor_range for found in (asked, upright)
+    )
+    assert low <= most
+    assert least <= high
 
 
 def row(checks, name):

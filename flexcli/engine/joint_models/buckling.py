@@ -11,6 +11,7 @@ from flexcli.engine.joint_models.joint_states import blades_of, layout_of, paths
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.errors import SolveError
 from flexcli.formulas.buckling import johnson_stress
+from flexcli.formulas.joint_buckling import pulled_straight
 from flexcli.formulas.plate_factors import pure_bending_factor
 from flexcli.formulas.profile import Filleted, Notch
 from flexcli.mechanics.demand import Held
@@ -250,7 +251,23 @@ def _linear_error(scene: PushScene, found: LinearCritical) -> ErrorRange | None:
     if not scene.hold.turn and found.turns > STILL:
         return None
     change = SWAY * found.strain * found.factor * (1.0 + found.bends**2)
+    if not scene.hold.turn:
+        change *= pulled_straight(*_largest_forces(scene.layout, found))
     return ErrorRange(-change, change) if change < WIDE else None
+
+
+def _largest_forces(layout: Layout, found: LinearCritical) -> tuple[float, float]:
+    """Return the largest tension and compression of a blade at the critical factor [EI/l²].
+
+    EI is that of where it is thinnest.
+    """
+    pulled = pushed = 0.0
+    for blade, tension in zip(layout.blades, found.tensions, strict=True):
+        l = _length(blade)
+        _, h = blade_places(blade, l)
+        n = found.factor * float(tension) * l**2 * 12.0 / float(layout.E * blade.b * h.min() ** 3)
+        pulled, pushed = max(pulled, n), max(pushed, -n)
+    return pulled, pushed
 
 
 def _strained(scene: PushScene, strain: float) -> ErrorRange:

@@ -217,6 +217,8 @@ class Corrected(JointModel):
                 return None
             # of the corrected stress, whatever the corrections leave
             low, high = ((1.0 + a) * (1.0 + b) - 1.0 for a, b in zip(left, beside, strict=True))
+            if EffectName.THICK_NOTCH not in self.inner.always:  # solids have the peak itself
+                low = (1.0 + low) * (1.0 - ask.geometry.peaks_above(ask.sizes)) - 1.0
             return ErrorRange(low, high) if isfinite(low) and isfinite(high) else None
         if kind is QuantityKind.SHIFT:
             return self._left(ask, kind, found, self.inner.shift_carries(ask))

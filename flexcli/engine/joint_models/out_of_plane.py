@@ -209,7 +209,7 @@ class OutOfPlane(JointModel):
             return self._with_tilt(ask, kind, self.inner.error(ask, kind))
         try:
             beams = self._beams(ask)
-            return self._sum_error(ask) if beams is None else beams.error(ask, kind)
+            return self._sum_error(ask) if beams is None else _on_roots(ask, beams.error(ask, kind))
         except NotAvailable:
             return None
 
@@ -226,7 +226,7 @@ class OutOfPlane(JointModel):
         if kind is QuantityKind.STRESS:
             tilted = self._tilted_beams(ask)
             if tilted is not None:
-                return tilted.error(ask, kind)
+                return _on_roots(ask, tilted.error(ask, kind))
             most = self._share_of_tilt(ask, tilt)
             return planar + ErrorRange(0.0, most) if isfinite(most) else None
         if kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY):
@@ -247,6 +247,8 @@ class OutOfPlane(JointModel):
             known = space.error(ask, OF_STRAIN[kind])
         except NotAvailable:
             return None
+        if kind is QuantityKind.STRESS:
+            return _on_roots(ask, known)
         if known is None or kind is not QuantityKind.FREQUENCY:
             return known
         planar = self.inner.error(ask._replace(scene=ask.scene.at_assembly()), kind)
@@ -382,6 +384,22 @@ class OutOfPlane(JointModel):
             name, planar = self.inner.stresses(ask)
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
         return _Parts(name, planar, across_stress(joint, ask.scene))
+
+
+def _on_roots(ask: Ask, error: ErrorRange | None) -> ErrorRange | None:
+    """Return the error of a stress of beams in space on roots that may give way in its plane."""
+    nu = ask.material.elastic.most_nu
+    if error is None or ask.geometry.root_springs(ask.sizes, nu) is None:
+        return error
+    clamped = ask.geometry.compliant_clamps(ask.sizes, nu)
+    assert clamped is not None  # it has roots
+    least, most = clamped.stress
+    if ask.scene.is_loaded:
+        least, most = min(least, 1.0 / (1.0 + clamped.loaded) - 1.0), max(most, clamped.loaded)
+    if not isfinite(most):
+        return None
+    low, high = (1.0 + error.low) * (1.0 + least), (1.0 + error.high) * (1.0 + max(most, 0.0))
+    return ErrorRange(low - 1.0, high - 1.0)
 
 
 def _in_space(name: str) -> SpaceLinearModel | None:

@@ -319,7 +319,8 @@ def _unsure(joint: SpaceJoint) -> float:
         return 1.0
     if joint.is_uniform:
         return 0.0
-    return float(np.max(np.maximum(joint.high, -joint.low)))
+    members = joint.assembly.members
+    return max(float(np.max(np.maximum(member.high, -member.low))) for member in members)
 
 
 def _is_very_wide(blade: SpaceBlade | SpaceRod) -> bool:

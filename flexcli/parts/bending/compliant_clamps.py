@@ -10,12 +10,19 @@ from flexcli.formulas.clamps import ClampCompliance, clamp_compliance, fillet_co
 from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.formulas.profile import Filleted, Notch
 from flexcli.mechanics.layout import Blade, Layout
-from flexcli.mechanics.linear import linear
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import CompliantClamps, Factor
-from flexcli.parts.geometries.base import MOVING, PIECE, ROUNDING, Held
+from flexcli.parts.bending.rooted_frame import Rooted, RootedFrame
+from flexcli.parts.geometries.base import PIECE, ROUNDING, Held
 
-__all__ = ["Roots", "Shift", "compliant_clamps", "linked_clamps", "shift_within"]
+__all__ = [
+    "Roots",
+    "Shift",
+    "compliant_clamps",
+    "linked_clamps",
+    "root_springs",
+    "shift_within",
+]
 
 Floats = NDArray[np.float64]
 
@@ -72,6 +79,8 @@ class _Strip(NamedTuple):
     """h/l where it is thickest against its flexible length."""
     out: float
     """Largest increase of any compliance across its width."""
+    rooted: Rooted
+    """The same, root by root."""
 
 
 def compliant_clamps(
@@ -82,8 +91,8 @@ def compliant_clamps(
 ) -> CompliantClamps:
     """Return the changes by compliant roots in a joint, from the bending of its beams.
 
-    With the forces of rigid clamps the energy of the roots bounds the stiffness from below, with
-    their motions from above.
+    The stiffness is between that on the softest roots and that on the stiffest, the stress between
+    what any of them make of it; loads may share otherwise, and what a temperature strains.
 
     Parameters
     ----------
@@ -105,13 +114,18 @@ def compliant_clamps(
     # what one blade takes more of than another under loads, or where bodies between them follow
     spread = max(whole) - min(whole)
     lowest = 1.0 / (1.0 + max(softer))
-    low, high = _bounds(layout, held, strips) or (lowest, 1.0)
+    frame = RootedFrame(layout, held, [strip.rooted for strip in strips])
+    low, high = frame.stiffness() or (lowest, 1.0)
+    # roots that are alike lower it, by no more than they soften a blade
+    stress, told = (lowest, 1.0 + (spread if len(layout.bodies) > 1 else 0.0)), frame.stress()
+    if told is not None:
+        stress = max(stress[0], told[0]), min(stress[1], told[1])
     least = min(_arc(strip.blade, strip.least) for strip in strips)
     most = max(_arc(strip.blade, strip.most) for strip in strips)
     return CompliantClamps(
         max(strip.slender for strip in strips),
         Factor((low + high) / 2.0, low, high),
-        (lowest - 1.0, spread if len(layout.bodies) > 1 else 0.0),
+        (stress[0] - 1.0, stress[1] - 1.0),
         spread + max(softer),
         Factor(max((1.0 + (least + most) / 2.0) ** -2, lowest), lowest, 1.0),
         shift_within(map(_shortening, (least, most)), shift, (0.0, OF_NEXT)),
@@ -119,20 +133,35 @@ def compliant_clamps(
     )
 
 
-def _bounds(layout: Layout, held: Held, strips: list[_Strip]) -> tuple[float, float] | None:
-    """Return the range in which the stiffness along the motion falls, None where it has none."""
-    solution = linear(layout, {MOVING: held})
-    axis = next(i for i in (2, 1) if held[i])
-    whole = float(solution.reactions[0, layout.index(MOVING), axis])
-    if not solution.unique.all() or not whole > 0.0:
-        return None
-    by_force, by_motion = 0.0, 0.0  # of twice the energy
-    for blade, strip, force in zip(layout.blades, strips, solution.end_forces[0], strict=True):
-        f = _along(blade, force)
-        by_force += float(f @ strip.most @ f)
-        q = strip.blade @ f
-        by_motion += float(q @ np.linalg.solve(strip.blade + strip.least, q) - f @ q)
-    return 1.0 / (1.0 + by_force / whole), 1.0 + by_motion / whole
+def root_springs(layout: Layout, roots: Roots) -> Floats:
+    """Return what roots add to five compliances of each blade, at most, times E.
+
+    Of stretching, of forces across its thickness and across its width, both at its middle, and of
+    bending its width and its thickness: shape (blades, 5) [1/m, 1/m³ of the last two]. Every strip
+    of its width stretches by itself.
+    """
+    return np.array([_of_root(blade, roots) for blade in layout.blades])
+
+
+def _of_root(blade: Blade, roots: Roots) -> Floats:
+    l, b = float(np.hypot(*np.subtract(blade.end, blade.start))), float(blade.b)
+    places, added = list(_places(blade, l, roots)), np.zeros(5)
+    mirrored = sorted((round((l - s) / l, 9), round(h / l, 9)) for s, _, h, _ in places)
+    even = mirrored == sorted((round(s / l, 9), round(h / l, 9)) for s, _, h, _ in places)
+    for s, _, h, _ in places:
+        found = roots.compliance(h, b)
+        arm = abs(s - l / 2.0) if even else l
+        turned, stretched = found.most / (b * h**2), found.stretch / b
+        wide = 12.0 * stretched / b**2
+        added += (
+            stretched,
+            turned * arm**2 + found.shift / b + 2.0 * arm * found.mixed / (b * h),
+            wide * arm**2 + ACROSS * stretched,
+            wide,
+            turned,
+        )
+    # ends that differ couple forces with moments
+    return added if even else added * np.array([1.0, 2.0, 2.0, 2.0, 2.0])
 
 
 def linked_clamps(each: Sequence[CompliantClamps | None]) -> CompliantClamps | None:
@@ -160,22 +189,23 @@ def _strip(blade: Blade, roots: Roots) -> _Strip:
     l, b = float(np.hypot(x, y)), float(blade.b)
     beam = planar_compliance(blade.profile, E=1.0, l=l, b=b, a=l, G=0.5 / (1.0 + roots.nu))
     places = list(_places(blade, l, roots))
-    least, most = np.zeros((3, 3)), np.zeros((3, 3))
+    at, least, most = (np.zeros((len(places), 3, 3)) for _ in range(3))
     out = 0.0
     reach = sum(np.ptp(piece.position(PIECE)) for piece in blade.profile.pieces(l))
-    for s, inward, h, share in places:
+    for i, (s, inward, h, share) in enumerate(places):
         found = roots.compliance(h, b)
         # moment, its slope into the blade and axial force at the root, per force at the end
-        at = np.array([[0.0, l - s, 1.0], [0.0, -inward, 0.0], [1.0, 0.0, 0.0]])
-        least += share * found.least / (b * h**2) * np.outer(at[0], at[0])
-        soft = np.diag([found.most / h**2, found.shift, found.stretch])
-        soft[0, 1] = soft[1, 0] = -found.mixed / h
-        most += at.T @ soft @ at / b
+        at[i] = [[0.0, l - s, 1.0], [0.0, -inward, 0.0], [1.0, 0.0, 0.0]]
+        least[i, 0, 0] = share * found.least / (b * h**2)
+        most[i] = np.diag([found.most / h**2, found.shift, found.stretch]) / b
+        most[i, 0, 1] = most[i, 1, 0] = -found.mixed / (b * h)
         axial, wide = found.stretch * h / reach, (l / b) ** 2
         sheared = 3.0 * axial * (wide + ACROSS / 3.0) / (wide + SHEARED)
         out += max(axial, sheared)
     thickest = max((place[2] for place in places), default=0.0)
-    return _Strip(beam, least, most, thickest / float(reach), out)
+    rooted = Rooted(beam, at, least, most)
+    softened = rooted.softened(least) - beam, rooted.softened(most) - beam
+    return _Strip(beam, *softened, thickest / float(reach), out, rooted)
 
 
 def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float, float, float]]:
@@ -199,13 +229,6 @@ def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float
                 body = blade.first if own[index] < l / 2.0 else blade.second
                 if body not in roots.joined:
                     yield float(own[index]), inward, float(thickness[index]), float(open_)
-
-
-def _along(blade: Blade, force: Floats) -> Floats:
-    """Return the force at a blade's end along it and across it, and the moment."""
-    x, y = np.subtract(blade.end, blade.start)
-    along = np.array([x, y]) / np.hypot(x, y)
-    return np.array([along @ force[:2], along[0] * force[1] - along[1] * force[0], force[2]])
 
 
 def _softer(strip: _Strip, which: slice) -> float:

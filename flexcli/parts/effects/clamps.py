@@ -73,7 +73,8 @@ class ClampCompliance(ModelEffect):
     """The compliance of bodies that the blades are cut from, at their roots, beyond any beam model.
 
     A crossing in which blades are joined, a body of its own, is stiffer than they are. Compliant
-    roots lower the stress at a given travel, which is not counted on; under loads it may rise.
+    roots lower the stress at a given travel, as far as they surely give way; under loads it may
+    rise.
     """
 
     name: ClassVar[EffectName] = EffectName.CLAMP_COMPLIANCE
@@ -115,8 +116,10 @@ class ClampCompliance(ModelEffect):
             found["buckling"] = _within(*softened.buckling[:3])
         if setting.largest_travel:
             least, most = softened.stress
+            if any(scene.temperature is not None for scene in setting.scenes):
+                least, most = smaller(least, 1.0 / (1.0 + softened.loaded) - 1.0), softened.loaded
             if any(scene.is_loaded for scene in setting.scenes):
-                most = softened.loaded
+                most = larger(most, softened.loaded)
                 if not any(scene.moves for scene in setting.scenes):
                     least = smaller(least, 0.0)
             turned = one_by_one(_turned, *softened.turned, setting.largest_travel)

@@ -542,12 +542,23 @@ class Geometry(Part):
         """Return the changes by the compliance of its blades' roots, None for rigid clamps."""
         return None
 
+    def root_springs(self, sizes: Sizes, nu: float) -> Floats | None:
+        """Return what its roots add to the compliances of its blades, None for rigid clamps.
+
+        Times E, as :func:`flexcli.parts.bending.compliant_clamps.root_springs` has it.
+        """
+        return None
+
     def crossed(self, sizes: Sizes) -> tuple[Computed, Computed]:
         """Return the range of its blades' stiffness over beams' by being one piece, any way [-]."""
         return 1.0, 1.0
 
     def fillet(self, sizes: Sizes) -> Computed:
         """Return the radius of the fillets at the roots of all its blades, 0 for none [m]."""
+        return 0.0
+
+    def peaks_above(self, sizes: Sizes) -> Computed:
+        """Return by what share the peaks of stress may be less than its factors say [-]."""
         return 0.0
 
     def filleted(self, sizes: Sizes, nu: float) -> FilletedRoots | None:

@@ -10,7 +10,7 @@ from flexcli.formulas import fillet, notch
 from flexcli.formulas import profile as shapes
 from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
-from flexcli.numerics.rows import number, smaller
+from flexcli.numerics.rows import number, one_by_one, smaller
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
 from flexcli.parts.bending.base import Thick
 from flexcli.parts.bending.thick import thick_fillets, thick_notch
@@ -47,6 +47,10 @@ class BladeProfile(Part):
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
         """Return the stress concentration factors of the shape in bending and along the blade."""
         return 1.0, 1.0
+
+    def peaks_above(self, size: Any, l: float) -> Computed:
+        """Return by what share the peaks of stress may be less than those factors say [-]."""
+        return 0.0
 
     def thick(self, size: Numbers, l: float) -> Thick | None:
         """Return its change by plane elasticity, where it is a notch or has fillets."""
@@ -142,6 +146,10 @@ class FilletedProfile(BladeProfile):
         """Return those of its fillets."""
         at = {"h": size, "l": l, "r": self.r}
         return fillet.bending_factor(**at), fillet.axial_factor(**at)
+
+    def peaks_above(self, size: Any, l: float) -> Computed:
+        """Return what those of its fillets may be less."""
+        return one_by_one(fillet.factors_above, size, l, self.r)
 
     def thick(self, size: Numbers, l: float) -> Thick:
         """Return the factor of the fillets."""

@@ -6,12 +6,13 @@ from math import pi
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.card import SLENDER, Range
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
-from flexcli.numerics.rows import number
+from flexcli.numerics.rows import number, one_by_one
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import CompliantClamps, FilletedRoots
 from flexcli.parts.elastic import Elastic
@@ -28,8 +29,11 @@ from flexcli.parts.geometries.base import (
 if TYPE_CHECKING:
     from flexcli.mechanics.layout import Blade as Strip
     from flexcli.mechanics.layout import Number, Point
+    from flexcli.parts.bending.compliant_clamps import Roots
 
 __all__ = ["BladeGeometry", "ClampedBlades", "Clamps"]
+
+Floats = NDArray[np.float64]
 
 Clamps: TypeAlias = Literal["rigid", "monolithic", "monolithic-flush"]
 
@@ -45,17 +49,35 @@ class ClampedBlades(Geometry):
 
     def compliant_clamps(self, sizes: Sizes, nu: float) -> CompliantClamps | None:
         """Return the changes by roots in one piece with bodies, and fillets beyond their beam."""
-        is_rigid, radius = self.clamps in (None, "rigid"), number(self.fillet(sizes))
-        if is_rigid and not radius:
+        roots = self._roots(sizes, nu)
+        if roots is None:
             return None
-        from flexcli.parts.bending.compliant_clamps import Roots, compliant_clamps
+        from flexcli.parts.bending.compliant_clamps import compliant_clamps
 
         return compliant_clamps(
             self.blades_layout(Elastic(1.0, nu), sizes),
             self.held(1.0),
-            Roots(nu, is_rigid, self.clamps == "monolithic-flush", radius, self.joined_in),
+            roots,
             lambda pure, bent: self.shift_change(sizes, pure, bent),
         )
+
+    def root_springs(self, sizes: Sizes, nu: float) -> Floats | None:
+        """Return what roots in one piece with bodies, and fillets beyond their beam, add."""
+        roots = self._roots(sizes, nu)
+        if roots is None:
+            return None
+        from flexcli.parts.bending.compliant_clamps import root_springs
+
+        return root_springs(self.blades_layout(Elastic(1.0, nu), sizes), roots)
+
+    def _roots(self, sizes: Sizes, nu: float) -> "Roots | None":
+        """Return how its blades end, None where that is in rigid clamps."""
+        is_rigid, radius = self.clamps in (None, "rigid"), number(self.fillet(sizes))
+        if is_rigid and not radius:
+            return None
+        from flexcli.parts.bending.compliant_clamps import Roots
+
+        return Roots(nu, is_rigid, self.clamps == "monolithic-flush", radius, self.joined_in)
 
     def with_compliant_clamps(self) -> Geometry | None:
         """Return it cut from one piece where the spec does not state its clamps."""
@@ -155,6 +177,14 @@ class BladeGeometry(ClampedBlades):
         from flexcli.formulas.fillet import axial_factor, bending_factor
 
         return bending_factor(**at), axial_factor(**at)
+
+    def peaks_above(self, sizes: Blade) -> Computed:
+        """Return what those of its fillets may be less."""
+        if self.root_radius is None:
+            return 0.0
+        from flexcli.formulas.fillet import factors_above
+
+        return one_by_one(factors_above, sizes.h, sizes.l, self.fillet(sizes))
 
     def filleted(self, sizes: Blade, nu: float) -> FilletedRoots | None:
         """Return the changes of its closed forms by its fillets."""

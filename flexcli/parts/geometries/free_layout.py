@@ -11,6 +11,7 @@ from pydantic_core import InitErrorDetails
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade, Body, Layout, Number, Point, Support
 from flexcli.numerics.collocation import gauss_nodes
+from flexcli.numerics.rows import larger
 from flexcli.parts.base import spec_error
 from flexcli.parts.bending import Thick, WideBlades
 from flexcli.parts.bending.thick import thick_linked
@@ -308,6 +309,16 @@ class FreeLayout(Drawn, ClampedBlades):
         if self.concentration == "none":
             return 1.0, 1.0
         return blade.thickness.peaks(self.size_of(name, sizes), blade.length)
+
+    def peaks_above(self, sizes: Sizes) -> Computed:
+        """Return what those of the blades' shapes may be less, at most."""
+        if self.concentration == "none":
+            return 0.0
+        found = (
+            blade.thickness.peaks_above(self.size_of(name, sizes), blade.length)
+            for name, blade in self.blades.items()
+        )
+        return larger(0.0, *found)
 
     def _body(self, name: str, body: DrawnBody) -> Body:
         at = self._centre if name == self.moving and self.motion == "rotation" else body.at

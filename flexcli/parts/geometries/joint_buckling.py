@@ -4,7 +4,13 @@ from collections.abc import Callable, Sequence
 from math import inf, pi
 
 from flexcli.formulas.buckling import thick_load
-from flexcli.formulas.joint_buckling import held_load, shares, sway, turning_load
+from flexcli.formulas.joint_buckling import (
+    held_load,
+    pulled_straight,
+    shares,
+    sway,
+    turning_load,
+)
 from flexcli.formulas.section import second_moment, shear_parameter
 from flexcli.numerics.rows import cos, isfinite, larger, number, one_by_one, sin
 from flexcli.parts.effect_names import EffectName
@@ -61,6 +67,7 @@ def pivot_critical(
     strain = larger(abs(t) for t in tensions)
     first = SWAY * (1.0 + sway(angles=angles, shares=tensions) ** 2)
     known = hold.turn or _is_mirrored(angles, direction)
+    turns = not (hold.turn or hold.hinged)
     how = "turns away or its blades bow" if not hold.turn else "its blades bow"
     return _critical(
         elastic,
@@ -70,6 +77,7 @@ def pivot_critical(
         strain,
         (first, first) if known else None,
         f"{hold.spoken}; {how}",
+        (larger(0.0, *tensions), larger(0.0, *(-t for t in tensions))) if turns else (0.0, 0.0),
     )
 
 
@@ -112,8 +120,12 @@ def _critical(
     strain: float,
     changes: tuple[float, float] | None,
     spoken: str,
+    turning: tuple[float, float] = (0.0, 0.0),
 ) -> Critical:
-    """Return a load in units EI/l² as a force; ``changes`` are its errors over its strain."""
+    """Return a load in units EI/l² as a force; ``changes`` are its errors over its strain.
+
+    ``turning`` are the largest shares of it that pull and that push a blade of a body that turns.
+    """
     h, l, b = number(sizes.h), number(sizes.l), number(sizes.b)
     axial, unit = (h / l) ** 2 / 12.0, elastic.E * second_moment(b, h) / l**2
     ratios = (0.0, 0.5) if elastic.nu is None else (elastic.nu,)
@@ -125,7 +137,8 @@ def _critical(
         error = ErrorRange(0.0, 0.0)
     elif changes is not None:
         unsure = abs(each[0] - each[-1]) / (2.0 * F)
-        low, high = (change * axial * strain * F + unsure + SAME for change in changes)
+        more = axial * strain * F * pulled_straight(*(share * F for share in turning))
+        low, high = (change * more + unsure + SAME for change in changes)
         error = ErrorRange(-low, high) if larger(low, high) < WIDE else None
     source = f"beams with shear and stretching, {spoken}"
     way = "in the plane"

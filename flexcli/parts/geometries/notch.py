@@ -17,7 +17,7 @@ from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.thick_notch import Blocks as BesideNotch
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
-from flexcli.numerics.rows import larger, number, smaller
+from flexcli.numerics.rows import larger, number, one_by_one, smaller
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.arc import Arc
@@ -453,6 +453,12 @@ class FilletedHinge(NotchGeometry):
     def peaks(self, sizes: FilletedSizes) -> tuple[Computed, Computed]:
         """Return those of its fillets."""
         return fillet_peaks(self.concentration, h=sizes.h, l=sizes.l, r=sizes.r)
+
+    def peaks_above(self, sizes: FilletedSizes) -> Computed:
+        """Return what those of its fillets may be less."""
+        if self.concentration == "none":
+            return 0.0
+        return one_by_one(fillet.factors_above, sizes.h, sizes.l, sizes.r)
 
     def thick_notches(self, sizes: FilletedSizes) -> Thick | None:
         """Return the factor of its fillets."""

@@ -131,7 +131,7 @@ def deflection_form(ask: Ask, sought: NDArray[np.float64], load: NDArray[np.floa
         # what guides it keeps it from turning about z
         turns = rows[5] @ moved.coordinates
         strained = strained - np.outer(strained[:, 2], turns / turns[2])
-    return joint.form(strained[:, 0], strained[:, 1], ask.clamp_softening)
+    return joint.form(strained[:, 0], strained[:, 1])
 
 
 def _at(place: NDArray[np.float64]) -> Place:
@@ -275,11 +275,11 @@ class Support(BoundAtStroke):
             return
         joint = space_joint(ask)
         value = self._stiffness(ask, self.direction)(joint.assembly)
-        error = _with_clamps(ask, joint.error(self._stiffness(ask, self.direction)))
+        error = joint.error(self._stiffness(ask, self.direction))
         if self.over is not None:
             stiffness = self._stiffness(ask, self.over)
             value /= stiffness(joint.assembly)
-            error = _of_ratio(error, _with_clamps(ask, joint.error(stiffness)))
+            error = _of_ratio(error, joint.error(stiffness))
         quantity = f"{self.spoken}, drive {self.drive}"
         for limit in self._bounds(value, error, "", quantity, ask.joint_model.at_rest):
             yield limit._replace(is_directed=joint.is_directed)

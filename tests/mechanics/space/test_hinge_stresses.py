@@ -61,8 +61,8 @@ def test_a_margin_of_two_is_within_what_is_told_of_a_notch():
         ("notch", [0.5, 0.1], 2.0, 2.0, 0.3),
         ("notch", [0.1, 1.0], 2.0, 0.05, 0.3),
         ("notch", [0.1, 1.0], 2.0, 17.0, 0.3),
-        ("filleted", [1.2, 1.0], 20.0, 3.0, 0.3),
-        ("filleted", [0.2, 1.0], 10.0, 3.0, 0.45),
+        ("filleted", [4.2, 1.0], 60.0, 9.0, 0.3),
+        ("filleted", [0.2, 1.0], 10.0, 3.0, 0.49),
     ],
 )
 def test_nothing_is_told_of_hinges_that_no_solid_was_made_of(kind, numbers, l, b, nu):

@@ -271,7 +271,21 @@ def test_hinges_are_those_of_solids_within_what_is_told():
             mesh = 3e-3 if hinge[0] == "blade" else 0.0
             assert np.all(ratio > 1.0 + springs.low - mesh), hinge
             assert np.all(ratio < 1.0 + springs.high + mesh), hinge
-    assert known > 240
+    assert known > 260
+
+
+@pytest.mark.parametrize("r", [0.02, 0.3, 4.0])
+@pytest.mark.parametrize("nu", [0.0, 0.45])
+def test_fillets_of_any_radius_are_between_no_fillets_and_a_blade_that_ends_where_they_begin(r, nu):
+    filleted = _hinge("filleted", [0.5, r], 10.0, 6.0, nu)
+    sharp, short = (_hinge("blade", [0.5], l, 6.0, nu) for l in (10.0, 10.0 - 2.0 * r))
+    found, least, most = (springs_of(each) for each in (filleted, sharp, short))
+    own, soft, stiff = (_about_the_middle(each) for each in (filleted, sharp, short))
+    assert found.is_known
+    assert np.all(own * (1.0 + found.low) >= soft * (1.0 + least.low) * (1.0 - DIGITS))
+    assert np.all(own * (1.0 + found.high) <= stiff * (1.0 + most.high) * (1.0 + DIGITS))
+    assert np.all(found.low <= 0.0)
+    assert np.all(found.high >= 0.0)
 
 
 @pytest.mark.parametrize(("h", "b"), [(3.0, 0.4), (1.2, 1.0)])
