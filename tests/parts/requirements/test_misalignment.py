@@ -2,10 +2,10 @@
 
 import pytest
 import yaml
-
-import flexcli
 from twins.joints import BODY, PLACES
 from twins.reissner import GROUND, Beam, Frame, Mass
+
+import flexcli
 
 E = 100e9
 
