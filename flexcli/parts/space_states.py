@@ -19,11 +19,10 @@ from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.linear_buckling import linear_critical
-from flexcli.mechanics.space.freedoms import misfit
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.modes import SpaceModes, natural_modes, own_blade_frequency
-from flexcli.mechanics.space.second_order import SecondOrder, stiffened_by_loads
+from flexcli.mechanics.space.second_order import MissedSeat, SecondOrder, stiffened_by_loads
 from flexcli.mechanics.space.states import (
     Acting,
     BladeStress,
@@ -656,18 +655,20 @@ def hull(errors: Iterable[ErrorRange | None]) -> ErrorRange | None:
 
 
 def largest_misfit_stress(
-    joint: SpaceJoint, blades: Iterable[int], motion: tuple[float, ...]
+    joint: SpaceJoint,
+    blades: Iterable[int],
+    motion: tuple[float, ...],
+    *,
+    kept: tuple[Vector, ...] = (),
 ) -> tuple[Told, str]:
     """Return the largest stress where one of some blades misses its seat, and its place.
 
     ``motion`` is the offset of the seat on its second body at its end, along the axes of the layout
-    [m, rad]; the drive is free.
+    [m, rad]; the drive is free, but about axes of the layout in ``kept`` the body is guided.
     """
     stresses, found, where, errors = Stresses(joint.assembly), 0.0, "", list[ErrorRange | None]()
     for blade in blades:
-        state = misfitted(
-            joint.assembly, misfit(joint.assembly, blade, np.array(motion)[:, np.newaxis])
-        )
+        state = misfitted(joint.assembly, MissedSeat(blade, np.array(motion)), kept=kept)
         here = max(stresses.of(state.moved.forces[:, 0], state.weights), key=largest_stress)
         errors.append(_error(joint, [state], stresses))
         if largest_stress(here) > found:

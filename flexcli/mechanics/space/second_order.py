@@ -17,7 +17,7 @@ from flexcli.mechanics.space.layout import SpaceLoad, SpaceRod, SpaceStar, grown
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["SecondOrder", "second_order", "stiffened_by_loads"]
+__all__ = ["MissedSeat", "SecondOrder", "second_order", "stiffened_by_loads"]
 
 Floats = NDArray[np.float64]
 
@@ -39,6 +39,16 @@ INNER_STIFFNESS = np.array(
     [(WEIGHTS[:, None] * f**2).sum(0) for f in (TWIST_RATE, BEND_RATE, BEND_RATE)]
 )
 """Energy of the shapes of twist, of bending about y and about z, over GJ/l and EI/l."""
+
+
+class MissedSeat(NamedTuple):
+    """Offset of the seat of a blade, by its index, on its second body (6,) [m, rad].
+
+    It is told at the blade's end, along the axes of the drawing, and moves with the body.
+    """
+
+    blade: int
+    offset: Floats
 
 
 class SecondOrder(NamedTuple):
@@ -69,6 +79,7 @@ def second_order(
     *,
     locked: bool,
     warmth: float = 0.0,
+    missed: MissedSeat | None = None,
 ) -> SecondOrder:
     """Return what the second order adds to a linear state (of one column).
 
@@ -87,6 +98,8 @@ def second_order(
         Whether the drive holds its one motion.
     warmth : float
         Share of the layout's growth that the state has [-].
+    missed : MissedSeat, optional
+        What seat is off in the state.
 
     Returns
     -------
@@ -99,7 +112,7 @@ def second_order(
     terms of e², and by those of the square of the rotation. The bodies turn by rotation vectors.
 
     """
-    blades = _blades(assembly, found, warmth)
+    blades = _blades(assembly, found, warmth, missed)
     softening = _Softening(assembly, blades, loads)
     misfits = np.zeros((len(assembly.rows), 1))
     gradient = np.zeros(assembly.size)
@@ -207,6 +220,11 @@ class _Softening:
         return found
 
 
+def _cross_matrix(a: Floats) -> Floats:
+    """Return the matrix that takes b to a × b."""
+    return np.cross(a, np.eye(3), axisb=0, axisc=0)
+
+
 def _point(assembly: SpaceAssembly, body: int) -> Floats:
     """Return the point of a body whose motion its coordinates are: that of the drive."""
     drive = assembly.layout.drive
@@ -228,12 +246,23 @@ def _of_body(assembly: SpaceAssembly, q: Floats, body: int) -> Floats:
     return np.asarray(_turn(assembly) @ own if moving else own)
 
 
-def _blades(assembly: SpaceAssembly, found: Moved, warmth: float = 0.0) -> list["_Quadratic"]:
+def _blades(
+    assembly: SpaceAssembly,
+    found: Moved,
+    warmth: float = 0.0,
+    missed: MissedSeat | None = None,
+) -> list["_Quadratic"]:
     """Return the blades in a linear state, of one column."""
     q = found.coordinates[:, 0]
     motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
     forces = found.forces[: 6 * len(assembly.members), 0].reshape(-1, 6)  # springs follow
-    return [_Quadratic(assembly, k, motions, own, warmth) for k, own in enumerate(forces)]
+    offsets: list[Floats | None] = [None] * len(forces)
+    if missed is not None:
+        offsets[missed.blade] = missed.offset
+    return [
+        _Quadratic(assembly, k, motions, own, warmth, off)
+        for k, (own, off) in enumerate(zip(forces, offsets, strict=True))
+    ]
 
 
 class _Quadratic:
@@ -250,6 +279,7 @@ class _Quadratic:
         motions: list[Floats],
         forces: Floats,
         warmth: float,
+        offset: Floats | None,
     ) -> None:
         blade, member = assembly.layout.blades[k], assembly.members[k]
         names = [body.name for body in assembly.layout.bodies]
@@ -280,9 +310,19 @@ class _Quadratic:
             for first, seat in zip((0, 6), grown_ends(assembly.layout, blade), strict=True):
                 d[first : first + 3] += warmth * (member.axes @ seat)
         self.to_springs = deformation_rows(member.springs, np.array([self.l, 0.0, 0.0]))
-        self.value = self._of(d[:, None])[:, 0]
+        carried = np.zeros((6, 12))
+        if offset is not None:
+            # a body that turns by θ turns an offset u, φ of a seat on it: θ × u, ½ θ × φ
+            off = turn @ offset
+            carried[:3, 9:] = -_cross_matrix(off[:3])
+            carried[3:, 9:] = -_cross_matrix(off[3:]) / 2.0
+            of_body, d[6:] = d.copy(), d[6:] + off
+        else:
+            of_body = d
+        carried = self.to_springs @ carried
+        self.value = self._of(d[:, None])[:, 0] + carried @ of_body
         curved = self._curvature()
-        self.gradient = place.T @ curved[:12, :12] @ d
+        self.gradient = place.T @ (curved[:12, :12] @ d + carried.T @ forces)
         to_bodies = _block_diagonal(place, np.eye(INNER))
         self.curvature = to_bodies.T @ curved @ to_bodies
         along = np.cross(d[3:6], [self.l, 0.0, 0.0])

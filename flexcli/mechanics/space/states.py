@@ -1,15 +1,16 @@
 """States of a mechanism in space under its stroke and its loads, and the stress in them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.mechanics.space.freedoms import misfit
 from flexcli.mechanics.space.inertia import blade_masses, mass_matrix, weight_along
 from flexcli.mechanics.space.layout import SpaceLoad, Vector
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
-from flexcli.mechanics.space.second_order import SecondOrder, second_order
+from flexcli.mechanics.space.second_order import MissedSeat, SecondOrder, second_order
 from flexcli.mechanics.space.stresses import StressRows, equivalent, stress_rows
 
 __all__ = [
@@ -53,7 +54,7 @@ class SpaceState:
     """A linear state: coordinates, deformations and forces, and the weight on each blade [N/m].
 
     ``loads`` are those that it is under, ``locked`` says whether the drive holds it, ``warmth``
-    which share of the layout's growth it has.
+    which share of the layout's growth it has, ``missed`` what seat is off.
     """
 
     assembly: SpaceAssembly
@@ -62,12 +63,14 @@ class SpaceState:
     loads: tuple[SpaceLoad, ...]
     locked: bool
     warmth: float = 0.0
+    missed: MissedSeat | None = None
 
     def following(self) -> SecondOrder:
         """Return what the second order adds."""
         return second_order(
-            self.assembly, self.moved, self.loads, locked=self.locked, warmth=self.warmth
-        )
+            self.assembly, self.moved, self.loads,
+            locked=self.locked, warmth=self.warmth, missed=self.missed,
+        )  # fmt: skip
 
 
 class Stresses:
@@ -130,11 +133,36 @@ def action(assembly: SpaceAssembly, acting: Acting) -> SpaceState:
     return SpaceState(assembly, moved, weights, tuple(loads), locked)
 
 
-def misfitted(assembly: SpaceAssembly, misfits: Floats) -> SpaceState:
-    """Return the state that one column of misfits leaves, the drive free."""
-    moved = assembly.moved(misfits=misfits)
+def misfitted(
+    assembly: SpaceAssembly, missed: MissedSeat, *, kept: tuple[Vector, ...] = ()
+) -> SpaceState:
+    """Return the state that a seat which is off leaves, the drive free.
+
+    ``kept`` are axes about which a guide keeps the moving body from turning, by moments.
+    """
+    body = assembly.layout.body(assembly.layout.drive.body)
+    off = misfit(assembly, missed.blade, missed.offset[:, None])
     weights = np.zeros((len(assembly.members), 3))
-    return SpaceState(assembly, moved, weights, (), locked=False)
+    state = SpaceState(
+        assembly, assembly.moved(misfits=off), weights, (), locked=False, missed=missed
+    )
+    if not kept:
+        return state
+    unit = [SpaceLoad(body.name, body.point, (0.0, 0.0, 0.0), axis) for axis in kept]
+    turned = assembly.moved(np.stack([assembly.load(load) for load in unit], axis=1))
+    about = np.array(kept) @ assembly.motion(body.name, body.point)[3:]
+    held = -np.linalg.solve(about @ turned.coordinates, about @ state.moved.coordinates)
+    moved = Moved(
+        state.moved.coordinates + turned.coordinates @ held,
+        state.moved.deformations + turned.deformations @ held,
+        state.moved.forces + turned.forces @ held,
+        state.moved.drive + turned.drive @ held,
+    )
+    loads = tuple(
+        load._replace(moment=_vector(m * np.asarray(load.moment)))
+        for load, m in zip(unit, held[:, 0], strict=True)
+    )
+    return replace(state, moved=moved, loads=loads)
 
 
 def warmed(assembly: SpaceAssembly, *, locked: bool) -> SpaceState:

@@ -42,7 +42,8 @@ class Tilted(Part):
 class MisalignmentStress(Requirement):
     """Factor on the largest stress where the seat of a blade, at its end, is off by so much.
 
-    The joint is at rest with its drive free, and every blade of the name is tried alone.
+    The joint is at rest with its drive free, all else free but for a guide, and every blade of the
+    name is tried alone.
     """
 
     label: ClassVar[str] = "misalignment stress"
@@ -92,7 +93,9 @@ class MisalignmentStress(Requirement):
         ]
         if not meant:
             raise RequirementError(f"there is no blade '{self.of}'", f"one of {', '.join(names)}")
-        found, where = largest_misfit_stress(joint, meant, self._motion)
+        # what guides a body keeps it from turning in the plane
+        kept = ((0.0, 0.0, 1.0),) if ask.geometry.is_guided else ()
+        found, where = largest_misfit_stress(joint, meant, self._motion, kept=kept)
         yield Limit(
             f"{self.label} {self.of}, {self._spoken}",
             "",
