@@ -17,7 +17,12 @@ TOGETHER = (
 )  # fmt: skip
 """Joints whose designs are judged together; the others' are judged one at a time."""
 
-LONG = (("three-blade", None), ("star", None), ("hinged-stage", "exact"))
+LONG = (
+    ("three-blade", None),
+    ("star", None),
+    ("hinged-stage", "exact"),
+    ("filleted-hinge", "exact"),
+)
 """The same by models that take long of one design."""
 
 DESIGNS = 14

@@ -123,16 +123,15 @@ def beside_beam(blade: Blade, found: BladeStress) -> tuple[Floats, Floats] | Non
     """
     if np.all(np.asarray(blade.peak[0]) == 1.0):
         return None
-    l = np.hypot(*np.subtract(blade.end, blade.start))
+    along = (end - start for start, end in zip(blade.start, blade.end, strict=True))
+    l = column(np.hypot(*along))[:, None]
     match blade.profile:
         case Notch(e=e, depth=depth):
-            at = {"e": e, "rho": column(l) ** 2 / (4.0 * depth), "depth": depth}
+            more, off = sheared_peak(e=e, rho=l**2 / (4.0 * depth), depth=depth)
         case Filleted(h=h, r=r):
-            at = {"e": h, "rho": r, "straight": column(l) - 2.0 * r}
+            more, off = sheared_peak(e=h, rho=r, straight=l - 2.0 * r)
         case _:
             return None
-    shares = (np.reshape(each, (-1, 1)) for each in sheared_peak(**at))
-    more, off = (np.tile(each, (len(found.bending) // len(each), 1)) for each in shares)
     sheared = found.sheared
     return more * sheared, off * np.abs(sheared)
 
