@@ -52,6 +52,17 @@ def test_the_stress_of_a_force_across_the_throat_is_that_of_solids(geometry, mor
     assert nominal.factor > more * beams.factor
 
 
+@pytest.mark.parametrize(("b", "more"), [("1 mm", 1.08), ("5 mm", 1.06)])
+def test_the_middle_of_wide_fillets_bears_more_of_a_force_across_as_of_a_moment(b, more):
+    slender = {"kind": "filleted-hinge", "h": "0.1 mm", "r": "0.2 mm", "l": "12.4 mm", "b": b}
+    beams, solids = (
+        checked(slender, {"y": "1 mN"}, {"yield": 1}, model, 0.3) for model in ("exact", "solid")
+    )
+    assert beams.factor > more * solids.factor
+    assert beams.factor_range[0] < solids.factor_range[0]
+    assert beams.factor_range[0] > 0.75 * solids.factor
+
+
 def test_a_moment_alone_stresses_the_throat_as_before():
     geometry = NOTCH | {"e": "0.4 mm", "b": "0.6 mm"}
     beams, solids = (

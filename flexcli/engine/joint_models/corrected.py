@@ -139,7 +139,8 @@ class Corrected(JointModel):
         """
         name, found = self.inner.stresses(ask)
         if not ask.scene.moves:
-            return name, found
+            raised = self._of_push(ask)
+            return name, [s._replace(mean=s.mean * raised) for s in found]
         of_mean = bool(ask.scene.mean_travel) or not ask.scene.push
         whole, corrected = self._factor(ask, QuantityKind.STRESS), []
         for s in found:
@@ -147,6 +148,22 @@ class Corrected(JointModel):
             mean = s.mean * factor if of_mean else s.mean
             corrected.append(s._replace(amplitude=s.amplitude * factor, mean=mean))
         return name, corrected
+
+    def _of_push(self, ask: Ask) -> Number:
+        """Return the factor of the stress by a load along the stroke.
+
+        It moves the joint by its force over the stiffness, and both are corrected.
+        """
+        factor: Number = 1.0
+        if ask.scene.push == 0.0:
+            return factor
+        for effect in self._added(_setting(ask)):
+            found = self._changes(ask, effect)
+            both = found.get(QuantityKind.STRESS), found.get(QuantityKind.STIFFNESS)
+            stress, stiffness = (None if each is None else each.value for each in both)
+            if effect.is_of_travel and stress is not None and stiffness is not None:
+                factor *= (1.0 + stress) / (1.0 + stiffness)
+        return factor
 
     def _of_wide(self, ask: Ask, stress: EndStress) -> tuple[Number, ErrorRange]:
         """Return what the force along a wide blade changes of its factor, and the range left.
@@ -243,9 +260,11 @@ class Corrected(JointModel):
             found += self._of_loads(ask) + self._of_pulled(ask)
         if scene.push:
             found += self._of_pushed_travel(ask)
-        if scene.push and scene.mean_travel:
-            factor = self._factor(ask, QuantityKind.STRESS)
-            found += ErrorRange(1.0 / larger(factor, 1.0) - 1.0, 0.0)
+        if scene.push and scene.moves:
+            factor = self._factor(ask, QuantityKind.STRESS) if scene.mean_travel else 1.0
+            found += _as_much(self._of_push(ask) / factor)
+        elif scene.push and (scene.beyond or scene.blade_force):  # other loads bend it besides
+            found += _as_much(1.0 / self._of_push(ask))
         if not scene.is_accelerated:
             return found
         if ask.geometry.has_limbs(ask.material.elastic, ask.sizes):
@@ -436,6 +455,11 @@ def _with_weight(ask: Ask, critical: Critical) -> Critical:
         return critical._replace(error=None)
     more = weighed(ask) / ask.scene.force
     return critical._replace(error=error + ErrorRange(1.0 / (1.0 + more) - 1.0, 0.0))
+
+
+def _as_much(other: Number) -> ErrorRange:
+    """Return the range of a number of which a part, or all, is another factor times as much."""
+    return ErrorRange(smaller(other, 1.0) - 1.0, larger(other, 1.0) - 1.0)
 
 
 def _is_told(effect: ModelEffect, setting: Setting) -> bool:

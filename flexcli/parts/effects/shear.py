@@ -26,6 +26,7 @@ class Shear(ModelEffect):
     name: ClassVar[EffectName] = EffectName.SHEAR
     needs: ClassVar[str] = "poisson_ratio"
     spans_what_it_needs: ClassVar[bool] = True
+    is_of_travel: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return Φ of the stockiest blade, in its plane."""

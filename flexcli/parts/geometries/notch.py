@@ -472,8 +472,11 @@ class FilletedHinge(NotchGeometry):
             return None
         share = smaller(FILLETS_CLAMP * number(sizes.b) / number(sizes.h), 1.0)
         peak = number(pure_bending_peak(b=sizes.b, l=sizes.l, poisson_ratio=nu))
-        high = larger(found.stress.high, 1.0 + share * (peak - 1.0))
-        return found._replace(stress=found.stress._replace(high=high))
+        more, wider = share * (peak - 1.0), found.stiffness.high - 1.0
+        high = larger(found.stress.high, 1.0 + more)
+        # what bends it to an S raises the middle of its fillets no more than a moment
+        pulled = larger(found.pulled, more / wider) if wider > 0.0 else found.pulled
+        return found._replace(stress=found.stress._replace(high=high), pulled=pulled)
 
     def neck(self, sizes: FilletedSizes) -> NeckSizes:
         """Return two halves of a half-circle, apart by the straight blade."""

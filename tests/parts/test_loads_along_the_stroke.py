@@ -1,0 +1,53 @@
+"""The stress of a load along the stroke, which moves a joint by its force over the stiffness."""
+
+import pytest
+import yaml
+
+import flexcli
+
+L, H, B, P = 20e-3, 2e-3, 2e-3, 12e-3
+"""A stocky blade, and how far it ends from the centre [m]."""
+
+NU = 0.3
+
+SPEC = {
+    "flexure": 1,
+    "material": {"name": "drawn", "youngs_modulus": "200 GPa", "poisson_ratio": NU,
+                 "yield_strength": "1 GPa", "density": "8000 kg/m^3"},
+    "geometry": {"kind": "three-blade", "l": "20 mm", "h": "2 mm", "b": "2 mm", "p": "12 mm"},
+    "effects": {"plate-widening": "off"},
+    "requirements": {"yield": 1.0},
+}  # fmt: skip
+
+
+def stress_per_moment():
+    """Return the stress at the near end of Timoshenko's blade over the moment of all three.
+
+    A body that turns by θ moves that end by p θ across the blade.
+    """
+    phi = 12.0 * 2.0 * (1.0 + NU) / (5.0 / 6.0) * H**2 / 12.0 / L**2
+    end = (4.0 + phi + 6.0 * P / L) / (1.0 + phi)  # EI θ/l
+    force = (6.0 + 12.0 * P / L) / (1.0 + phi) / L
+    return 6.0 * end / (B * H**2) / (3.0 * (end + force * P))
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
+def test_stress_of_a_moment_is_that_of_the_travel_which_it_makes(model):
+    moment = 1e-6
+    case = {"work": {"wrench": {"theta_z": f"{moment} N*m"}}}
+    (found,) = flexcli.check(yaml.safe_dump({**SPEC, "cases": case}), model=model).checks
+    low, high = found.factor_range
+    expected = stress_per_moment() * moment
+    assert found.demand == pytest.approx(expected, rel=1e-4)
+    assert low <= found.capacity / expected <= high
+
+
+@pytest.mark.parametrize("stroke", ["0.1 deg", ["0 deg", "0.2 deg"]])
+def test_a_moment_beside_a_stroke_is_in_the_range_of_what_both_bend(stroke):
+    case = {"work": {"wrench": {"theta_z": "1 N*m"}, "stroke": {"rotation": stroke}}}
+    text = yaml.safe_dump({**SPEC, "cases": case})
+    ranges = [
+        flexcli.check(text, model=model).checks[0].factor_range
+        for model in ("closed-form", "linear", "exact")
+    ]
+    assert max(low for low, _ in ranges) <= min(high for _, high in ranges)
