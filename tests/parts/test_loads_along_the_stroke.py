@@ -51,3 +51,18 @@ def test_a_moment_beside_a_stroke_is_in_the_range_of_what_both_bend(stroke):
         for model in ("closed-form", "linear", "exact")
     ]
     assert max(low for low, _ in ranges) <= min(high for _, high in ranges)
+
+
+def test_a_moment_on_a_drawn_wide_blade_is_borne_by_its_section():
+    blade = {"between": ["ground", "body"], "from": ["0 mm", "0 mm"], "to": ["0 mm", "20 mm"]}
+    layout = {
+        "kind": "layout",
+        "bodies": {"body": {"at": ["0 mm", "20 mm"]}},
+        "blades": {"wide": {**blade, "h": "0.2 mm", "b": "30 mm"}},
+        "moving": "body",
+        "motion": "rotation",
+    }
+    spec = {**SPEC, "geometry": layout, "cases": {"work": {"wrench": {"theta_z": "1e-3 N*m"}}}}
+    spec.pop("effects")
+    (found,) = flexcli.check(yaml.safe_dump(spec), model="exact").checks
+    assert found.demand == pytest.approx(6.0 * 1e-3 / (30e-3 * 0.2e-3**2), rel=1e-3)

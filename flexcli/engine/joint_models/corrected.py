@@ -139,8 +139,8 @@ class Corrected(JointModel):
         """
         name, found = self.inner.stresses(ask)
         if not ask.scene.moves:
-            raised = self._of_push(ask)
-            return name, [s._replace(mean=s.mean * raised) for s in found]
+            factor, _ = self._of_push(ask)
+            return name, [s._replace(mean=s.mean * factor) for s in found]
         of_mean = bool(ask.scene.mean_travel) or not ask.scene.push
         whole, corrected = self._factor(ask, QuantityKind.STRESS), []
         for s in found:
@@ -149,21 +149,29 @@ class Corrected(JointModel):
             corrected.append(s._replace(amplitude=s.amplitude * factor, mean=mean))
         return name, corrected
 
-    def _of_push(self, ask: Ask) -> Number:
-        """Return the factor of the stress by a load along the stroke.
+    def _of_push(self, ask: Ask) -> tuple[Number, Number]:
+        """Return the factor of the stress by a load along the stroke, and what wide blades leave.
 
-        It moves the joint by its force over the stiffness, and both are corrected.
+        It moves the joint by its force over the stiffness, and both are corrected. That of blades
+        which a case keeps from turning is the force's.
         """
         factor: Number = 1.0
-        if ask.scene.push == 0.0:
-            return factor
-        for effect in self._added(_setting(ask)):
+        wide: Number = 0.0
+        scene, setting = ask.scene, _setting(ask)
+        if scene.push == 0.0 or not setting.largest_travel:
+            return factor, wide
+        for effect in self._added(setting):
             found = self._changes(ask, effect)
             both = found.get(QuantityKind.STRESS), found.get(QuantityKind.STIFFNESS)
             stress, stiffness = (None if each is None else each.value for each in both)
-            if effect.is_of_travel and stress is not None and stiffness is not None:
-                factor *= (1.0 + stress) / (1.0 + stiffness)
-        return factor
+            if stress is None or stiffness is None:
+                continue
+            ratio = (1.0 + stress) / (1.0 + stiffness)
+            if effect.name is EffectName.SHEAR:
+                factor *= ratio
+            elif effect.name is EffectName.PLATE_WIDENING and not scene.keeps_turn:
+                wide = abs(ratio - 1.0)
+        return factor, wide
 
     def _of_wide(self, ask: Ask, stress: EndStress) -> tuple[Number, ErrorRange]:
         """Return what the force along a wide blade changes of its factor, and the range left.
@@ -260,11 +268,13 @@ class Corrected(JointModel):
             found += self._of_loads(ask) + self._of_pulled(ask)
         if scene.push:
             found += self._of_pushed_travel(ask)
-        if scene.push and scene.moves:
-            factor = self._factor(ask, QuantityKind.STRESS) if scene.mean_travel else 1.0
-            found += _as_much(self._of_push(ask) / factor)
-        elif scene.push and (scene.beyond or scene.blade_force):  # other loads bend it besides
-            found += _as_much(1.0 / self._of_push(ask))
+            factor, wide = self._of_push(ask)
+            found += ErrorRange(-wide, wide)
+            if scene.moves:
+                of_mean = self._factor(ask, QuantityKind.STRESS) if scene.mean_travel else 1.0
+                found += _as_much(factor / of_mean)
+            elif scene.beyond or scene.blade_force:  # other loads bend it besides
+                found += _as_much(1.0 / factor)
         if not scene.is_accelerated:
             return found
         if ask.geometry.has_limbs(ask.material.elastic, ask.sizes):

@@ -374,8 +374,10 @@ def _either_way(ask: Ask, state: SpaceState, sought: Floats) -> Iterator[tuple[f
             raise NotAvailable("has no deflection that is told: its blades turn too far")
         try:
             moved = _moved(ask, acting, sought)
-            if second.buckling * more > NEAR:
+            if second.buckling > 0.0 and second.buckling * more > NEAR:
                 # what a little more of it buckles may be buckled
+                if more == inf:
+                    raise NotAvailable("nobody knows how near its blades are to buckling")
                 _moved(ask, combined([acting], [more]), sought)
         except (NotAvailable, SolveError) as failed:
             _prove_buckled(ask, acting, second)

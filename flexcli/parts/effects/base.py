@@ -148,8 +148,6 @@ class ModelEffect(Effect):
     """Whether what it changes of a stress grows with the travel."""
     spares_loads: ClassVar[bool] = False
     """Whether what it corrects of a stress is that of the travel alone, not of loads beside it."""
-    is_of_travel: ClassVar[bool] = False
-    """Whether what it changes of a stress is that of a given travel, where a load makes it too."""
     spans_what_it_needs: ClassVar[bool] = False
     """Whether its changes cover all values of a property that is not given."""
     only: ClassVar[frozenset[QuantityKind]] = frozenset(QuantityKind)

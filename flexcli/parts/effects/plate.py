@@ -28,7 +28,6 @@ class PlateWidening(ModelEffect):
     name: ClassVar[EffectName] = EffectName.PLATE_WIDENING
     needs: ClassVar[str] = "poisson_ratio"
     is_whole: ClassVar[bool] = True
-    is_of_travel: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the largest b/l of a blade or hinge."""

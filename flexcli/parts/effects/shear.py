@@ -26,7 +26,6 @@ class Shear(ModelEffect):
     name: ClassVar[EffectName] = EffectName.SHEAR
     needs: ClassVar[str] = "poisson_ratio"
     spans_what_it_needs: ClassVar[bool] = True
-    is_of_travel: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return Φ of the stockiest blade, in its plane."""
