@@ -7,11 +7,18 @@ from flexcli.formulas import notch
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Numbers
 
-__all__ = ["CARDS", "axial_factor", "bending_factor", "factors_above"]
+__all__ = ["CARDS", "above_bars", "axial_factor", "bending_factor", "factors_above"]
 
 ABOVE, ABOVE_SHORT = 0.027, 0.045
-"""What the factor along a blade is above that of plane bodies at most, where it was fitted; the
-second of blades less than h between their fillets."""
+"""What the factor along a blade is above that of plane bodies at most, where h ≤ 2 r; the second of
+blades less than h between their fillets."""
+
+OF_WEDGES = 0.0125
+"""How much more that is per h/r beyond 2, of bodies that are hardly twice as high as the fillets: a
+plane body of h/r = 20 on a step as high had 0.82 of it."""
+
+CORNER = 0.4555
+"""Power of the distance with which stress grows towards a corner of 270°."""
 
 FITTED, APART = 20.0, 0.5
 """Largest h/r of the fillets that were compared, and how far apart they were, over h; else the
@@ -21,7 +28,7 @@ deep notch is taken."""
 def bending_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
     """Return K_t of the bending stress where the fillets of a blade begin on a large body.
 
-    ``K_t = (1 + 0.355 x/(1 + 0.0084 x))^0.4555``, x = h/r, over the nominal 6M/(b h²).
+    ``K_t = (1 + 0.345 x)^0.4555``, x = h/r, over the nominal 6M/(b h²).
 
     Parameters
     ----------
@@ -35,30 +42,31 @@ def bending_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
 
     Notes
     -----
-    Quarter circles; 0 to 0.3 % above plane bodies for h/r up to 20 and 0.5 h or more between the
-    fillets. Beyond that Neuber's deep notch, which fillets that meet are and which is above others
-    (19 % at h/r = 20). The power is that of the stress in a corner of 270°.
+    Quarter circles; 0 to 0.6 % above plane bodies for h/r up to 7, 2 % to 20, and 0.5 h or more
+    between the fillets. Beyond that Neuber's deep notch, which fillets that meet are and which is
+    above others (19 % at h/r = 20). The power is that of the stress in a corner of 270°.
 
     Examples
     --------
     >>> round(float(bending_factor(h=0.2e-3, l=20e-3, r=0.2e-3)), 3)
-    1.147
+    1.145
 
     References
     ----------
-    Fitted here to finite elements of high order for plane bodies; M. L. Williams (1952), Journal of
-    Applied Mechanics 19, 526–528, for the corner.
+    Fitted here to finite elements for plane bodies, from wedges of 45° to steps twelve times as
+    high as the mouth; M. L. Williams (1952), Journal of Applied Mechanics 19, 526–528, for the
+    corner.
 
     """
     x = np.asarray(h, dtype=np.float64) / r
-    fitted = (1.0 + 0.355 * x / (1.0 + 0.0084 * x)) ** 0.4555
+    fitted = (1.0 + 0.345 * x) ** CORNER
     return np.where(_is_fitted(h, l, r), fitted, notch.bending_factor(e=x, r=1.0))[()]
 
 
 def axial_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
     """Return K_t of the axial stress where the fillets of a blade begin on a large body.
 
-    ``K_t = (1 + 0.49 x/(1 + 0.053 x))^0.675``, x = h/r, over the nominal N/(b h).
+    ``K_t = (1 + x (0.6 + 0.74 x)/(1 + 0.8 x))^0.4555``, x = h/r, over the nominal N/(b h).
 
     Parameters
     ----------
@@ -72,8 +80,9 @@ def axial_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
 
     Notes
     -----
-    0 to 2.5 % above plane bodies for h/r up to 20 and 0.5 h or more between the fillets; beyond
-    that Neuber's deep notch.
+    0 to 1.5 % above plane bodies for h/r up to 20 and 0.5 h or more between the fillets; beyond
+    that Neuber's deep notch. Of fillets sharper than h/2 it counts how high the body is: it is that
+    of one without end, and :func:`factors_above` says how much less others have.
 
     Examples
     --------
@@ -82,24 +91,26 @@ def axial_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
 
     References
     ----------
-    Fitted here to finite elements of high order for plane bodies.
+    Fitted here to finite elements for plane bodies, as :func:`bending_factor`.
 
     """
     x = np.asarray(h, dtype=np.float64) / r
-    fitted = (1.0 + 0.49 * x / (1.0 + 0.053 * x)) ** 0.675
+    fitted = (1.0 + x * (0.6 + 0.74 * x) / (1.0 + 0.8 * x)) ** CORNER
     return np.where(_is_fitted(h, l, r), fitted, notch.axial_factor(e=x, r=1.0))[()]
 
 
-def factors_above(h: float, l: float, r: float) -> float:
+def factors_above(h: float, l: float, r: float, *, bars: bool = False) -> float:
     """Return by what share of it the peak of a stress may be less than these factors say [-].
 
-    ``min(0.027, 1 − 1/K_t)`` of the factor along the blade, which is the less sure of both, 0.045
-    with less than h between the fillets; where it was not fitted, no peak at all.
+    ``min(0.027 + 0.0125 (h/r − 2), 1 − 1/K_t)`` of the factor along the blade, which is the less
+    sure of both, 0.045 with less than h between the fillets; where it was not fitted, no peak.
 
     Parameters
     ----------
     h, l, r : float
         Thickness, length with both fillets, and radius of these [m].
+    bars : bool
+        Whether the bodies may be bars as high as the fillets, not at least twice as high.
 
     Returns
     -------
@@ -109,16 +120,50 @@ def factors_above(h: float, l: float, r: float) -> float:
     Examples
     --------
     >>> round(factors_above(0.2e-3, 20e-3, 0.2e-3), 3), round(factors_above(0.01, 2.0, 0.24), 3)
-    (0.027, 0.014)
+    (0.027, 0.011)
 
     References
     ----------
     The finite elements of ``axial_factor``.
 
     """
+    x = h / r
     least = 1.0 - 1.0 / float(axial_factor(h=h, l=l, r=r))
+    if not _is_fitted(h, l, r):
+        return least
     above = ABOVE if l - 2.0 * r >= h else ABOVE_SHORT
-    return min(above, least) if _is_fitted(h, l, r) else least
+    if bars:
+        return min(1.0 - (1.0 - above) / (1.0 + above_bars(x)[1]), least)
+    return min(above + OF_WEDGES * max(x - 2.0, 0.0), least)
+
+
+def above_bars(x: float) -> tuple[float, float]:
+    """Return by what share a peak may be more than on bars that are as high as the fillets [-].
+
+    ``0.02 (x − 2.5)`` bent and ``0.055 (x − 1.5)`` along the blade, x = h/r, where positive.
+
+    Parameters
+    ----------
+    x : float
+        Thickness over radius of the fillets, to 20, or over the depth of a notch.
+
+    Returns
+    -------
+    bent, along : float
+        Of the stress on bars, that of larger bodies at most [-].
+
+    Examples
+    --------
+    >>> [round(share, 3) for share in above_bars(7.0)]
+    [0.09, 0.303]
+
+    References
+    ----------
+    Bounds here of finite elements for plane bodies: 0, 0.014, 0.06, 0.20 and 0.32 more bent, 0.01,
+    0.13, 0.29, 0.62 and 0.86 along, at x = 2, 4, 7, 14 and 20.
+
+    """
+    return 0.02 * max(x - 2.5, 0.0), 0.055 * max(x - 1.5, 0.0)
 
 
 def _is_fitted(h: Numbers, l: Numbers, r: Numbers) -> NDArray[np.bool_]:

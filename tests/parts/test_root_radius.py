@@ -28,11 +28,39 @@ def edges(x, straight=4.0):
 def test_the_peak_of_the_stress_is_that_of_a_plane_body_and_never_below_it(x, straight):
     bent, stretched = notched_plate.peaks_over_nominal(edges(x, straight), **LARGE)
     at = {"h": 1.0, "l": straight + 2.0 / x, "r": 1.0 / x}
-    assert fillet.bending_factor(**at) == pytest.approx(bent, rel=0.01)  # of the elements too
+    # the plane body is a wedge, and as sharp fillets bear more on a step
+    assert fillet.bending_factor(**at) == pytest.approx(bent, rel=0.02 if x > 2.0 else 0.005)
     assert fillet.bending_factor(**at) >= bent * (1.0 - ELEMENTS)
     if straight == 4.0:
-        assert fillet.axial_factor(**at) == pytest.approx(stretched, rel=0.03)
+        assert fillet.axial_factor(**at) == pytest.approx(stretched, rel=0.08 if x > 2.0 else 0.015)
         assert fillet.axial_factor(**at) >= stretched * (1.0 - ELEMENTS)
+
+
+@pytest.mark.parametrize("x", [4.0, 7.0])
+def test_peaks_on_bodies_hardly_higher_than_the_fillets_are_within_what_is_told_of_bars(x):
+    bars = notched_plate.peaks_over_nominal(edges(x), block=1.0)
+    wedges = notched_plate.peaks_over_nominal(edges(x), block=3.0, rise=6.0)
+    at = {"h": 1.0, "l": 4.0 + 2.0 / x, "r": 1.0 / x}
+    factors = fillet.bending_factor(**at), fillet.axial_factor(**at)
+    for bar, wedge, factor, more in zip(bars, wedges, factors, fillet.above_bars(x), strict=True):
+        assert bar < wedge <= factor
+        assert wedge <= bar * (1.0 + more)
+    assert factors[1] * (1.0 - fillet.factors_above(**at, bars=True)) <= bars[1]
+    assert factors[1] * (1.0 - fillet.factors_above(**at)) > bars[1]
+
+
+@pytest.mark.parametrize("blocks", ["massive", None, "3 mm"])
+def test_solids_with_bars_beside_sharp_fillets_know_that_larger_bodies_raise_the_peak(blocks):
+    hinge = {"kind": "filleted-hinge", "h": "1 mm", "r": "0.15 mm", "l": "5 mm", "b": "1 mm"}
+    hinge |= {} if blocks is None else {"blocks": blocks}
+    case = {"pulled": {"wrench": {"x": "1 N"}}}
+    said = yaml.safe_load(design({}, {"yield": 1.0}, cases=case))
+    text = yaml.safe_dump({**said, "geometry": hinge})
+    checks = flexcli.verdicts(text, model="solid").checks
+    (least, most), strength = checks[-1].factor_range, checks[-1].capacity
+    stress = sorted(strength / factor for factor in (least, most))
+    on_a_step = 1e6 * fillet.axial_factor(h=1.0, l=5.0, r=0.15)
+    assert (stress[1] >= 0.98 * on_a_step) == (blocks != "3 mm")
 
 
 @pytest.mark.parametrize("straight", [0.5, 4.0])

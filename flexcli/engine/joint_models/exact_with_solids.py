@@ -16,6 +16,7 @@ from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_deflection import Springs, deflections
 from flexcli.engine.joint_models.space_errors import AT_STROKE, HINGE_TURN
 from flexcli.errors import SolveError
+from flexcli.formulas.fillet import above_bars
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along
 from flexcli.mechanics.mesh import Effects
@@ -219,11 +220,12 @@ class ExactWithSolids(ExactModel):
             if ask.scene.moves:
                 swing = np.abs(borne.wrenches[::2] - borne.wrenches[1::2]).max(axis=0) / 2.0
             each = (fine.largest, coarse.largest, whole), (fine.amplitude, coarse.amplitude, swing)
-            unsure = zip(borne.unsure, borne.shares, strict=True)
-            for (one, other, wrench), parts in zip(each, unsure, strict=True):
+            unsure, higher = zip(borne.unsure, borne.shares, strict=True), _of_larger_bodies(ask)
+            for (one, other, wrench), (own, share) in zip(each, unsure, strict=True):
                 if one > FEWEST * fine.largest:
                     meshed = max(abs(one - other), _meshed(solid, wrench))
-                    off = max(off, (self._unsure(solid, borne, *parts) + meshed) / one)
+                    more = self._unsure(solid, borne, own + higher * wrench, share)
+                    off = max(off, (more + meshed) / one)
             found.append(fine)
         first, ratios = found[0], [1.0]
         for worst in found[1:]:
@@ -395,6 +397,18 @@ class ExactWithSolids(ExactModel):
         """Return the six compliances of beams about the middle, without the blocks beside them."""
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
         return np.asarray(1.0 / joint.assembly.members[0].springs.stiffness)
+
+
+def _of_larger_bodies(ask: Ask) -> Floats:
+    """Return what bodies higher than the mouth may add to the peak of each of six loads (6,) [-].
+
+    Blocks of a length that is stated are as high as the mouth, and the solid has them.
+    """
+    sizes = ask.geometry.neck(ask.sizes)
+    if len(sizes.blocks) == 1:
+        return np.zeros(6)
+    bent, along = above_bars(sizes.e / sizes.depth)
+    return np.array([along, bent, along, along, along, bent])
 
 
 def _solids(ask: Ask) -> _Solids:

@@ -3,6 +3,7 @@
 from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, NamedTuple, cast
 
 import numpy as np
@@ -455,10 +456,11 @@ class FilletedHinge(NotchGeometry):
         return fillet_peaks(self.concentration, h=sizes.h, l=sizes.l, r=sizes.r)
 
     def peaks_above(self, sizes: FilletedSizes) -> Computed:
-        """Return what those of its fillets may be less."""
+        """Return what those of its fillets may be less, on bars too unless blocks are massive."""
         if self.concentration == "none":
             return 0.0
-        return one_by_one(fillet.factors_above, sizes.h, sizes.l, sizes.r)
+        above = partial(fillet.factors_above, bars=self._beside != MASSIVE)
+        return one_by_one(above, sizes.h, sizes.l, sizes.r)
 
     def thick_notches(self, sizes: FilletedSizes) -> Thick | None:
         """Return the factor of its fillets."""
