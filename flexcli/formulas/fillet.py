@@ -154,8 +154,8 @@ def above_bars(x: float) -> tuple[float, float]:
 
     Examples
     --------
-    >>> [round(share, 3) for share in above_bars(7.0)]
-    [0.09, 0.303]
+    >>> [round(share, 3) for share in above_bars(8.0)]
+    [0.11, 0.358]
 
     References
     ----------
