@@ -139,6 +139,66 @@ def test_long_arms_stay_in_the_range_over_strokes_of_any_mean(model, stroke, low
     assert holds(between, tip_box(travels))
 
 
+@pytest.mark.parametrize("element", ["rod", "blade"])
+def test_a_drawing_turned_in_space_stays_in_its_range(element):
+    # turned about (1, 2, 3) by 0.7 rad
+    way, angle = np.array([1.0, 2.0, 3.0]) / np.sqrt(14.0), 0.7
+    K = np.cross(way, np.eye(3), axisb=0, axisc=0)
+    R = np.eye(3) + sin(angle) * K + (1.0 - cos(angle)) * K @ K
+
+    def numbers(x, unit):
+        return "[" + ", ".join(f"{each!r}{unit}" for each in (R @ x).tolist()) + "]"
+
+    end, up = numbers(np.array([0.04, 0.0, 0.0]), " m"), numbers(np.array([0.0, 0.0, 1.0]), "")
+    size = "d: 0.3 mm" if element == "rod" else f"h: 0.3 mm, b: 4 mm, width: {up}"
+    text = f"""flexure: 1
+material: {{youngs_modulus: 114 GPa, yield_strength: 800 MPa, poisson_ratio: 0.34}}
+geometry:
+  kind: space-layout
+  bodies: {{tip: {{at: {end}}}}}
+  {element}s:
+    one: {{between: [ground, tip], from: [0 mm, 0 mm, 0 mm], to: {end}, {size}}}
+  moving: tip
+  motion: {{rotation: {{about: {up}}}}}
+cases: {{op: {{stroke: {{rotation: [-2 deg, 9 deg]}}}}}}
+requirements: {{envelope: [1 m, 1 m, 1 m]}}
+"""
+    points, s = [], PLACES[:, None]
+    for theta in radians(1.0) * np.linspace(-2.0, 9.0, 81):
+        phi, half = theta * s, theta * s / 2.0
+        chord = 40e-3 * s * np.sinc(half / np.pi)
+        none = 0.0 * s
+        line = np.hstack([chord * np.cos(half), chord * np.sin(half), none]) @ R.T
+        along = np.hstack([np.cos(phi), np.sin(phi), none]) @ R.T
+        across = np.hstack([-np.sin(phi), np.cos(phi), none]) @ R.T
+        round_ = np.sqrt(np.maximum(1.0 - along**2, 0.0))
+        for i in (1.0, -1.0):
+            for k in (1.0, -1.0):
+                strip = i * across * 0.15e-3 + k * 2e-3 * R[:, 2]
+                points.append(line + (i * round_ * 0.15e-3 if element == "rod" else strip))
+    reach = np.ptp(np.concatenate(points), axis=0)
+    for model in ("linear", "exact"):
+        _, between = box(text, model)
+        assert (between[:, 0] <= reach).all()
+        assert (reach <= between[:, 1]).all()
+        assert between[:, 1] == pytest.approx(between[:, 0], rel=0.05)
+
+
+def test_what_a_guide_keeps_upright_is_judged_by_beams():
+    text = (
+        BARE[: BARE.index("geometry:")]
+        + """
+geometry: {kind: guided-blade, l: 40 mm, h: 0.2 mm, b: 5 mm}
+cases: {op: {stroke: {translation: 3 mm}}}
+requirements: {envelope: [7 mm, 41 mm, 6 mm]}
+"""
+    )
+    rows = [row for row in flexcli.check(text).checks if "envelope" in row.name]
+    assert {row.model for row in rows} == {"exact"}
+    # its end stays upright: both strokes and its thickness
+    assert rows[0].demand == pytest.approx(6.2e-3, rel=1e-6)
+
+
 def test_beams_know_a_blade_bent_far():
     travels = np.linspace(-radians(30.0), radians(30.0), 401)
     for text, corners in ((TIP, True), (BARE, False)):

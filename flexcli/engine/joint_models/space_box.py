@@ -59,6 +59,8 @@ Loaded = Callable[[float, Sequence[float]], Sweep]
 def linear_box(ask: Ask) -> tuple[SweptBox, tuple[str, ...]]:
     """Return the box by small motion to second order, and the parts that have no outline."""
     scene, travels = ask.scene, _travels(ask.scene)
+    if ask.geometry.is_guided:
+        raise NotAvailable("is guided, which its box by small motion is not: take --model exact")
 
     def plain() -> Sweep:
         joint = _joint(ask, warm=False)

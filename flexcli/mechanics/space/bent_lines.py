@@ -45,7 +45,7 @@ class Ends(NamedTuple):
 class _Shapes(NamedTuple):
     """Where a line goes of a unit shift across, and a unit slope, of its end; and its slopes.
 
-    All (places,): at places s [m], h thick [m], one ``step`` [m] apart.
+    All (places,): at places s [m], h thick [m], a ``step`` [m] from those beside it where it bends.
     """
 
     s: Floats
@@ -76,7 +76,9 @@ def bent_line(
     Notes
     -----
     Large slopes leave an elastic line by less than its distance from the chord times the square of
-    its largest angle against it, as :mod:`tests` of cantilevers and S shapes to 40° show.
+    its largest angle against it, and the share by which axial forces change its bending: elasticae
+    of 750 random end forces, turned by up to 0.6 rad, uniform, with two hinges or notched, were off
+    by 0.4 of that at most.
 
     """
     l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
@@ -124,7 +126,7 @@ def _shapes(profile: Profile, l: float, power: int) -> _Shapes:
     x, thin = gauss_nodes(NODES)[0], _thinnest(profile, l)
     inside, onto = integration_matrix(NODES), integration_to(NODES, PLACES)
     slope, place, last = np.zeros(2), np.zeros(2), 0.0
-    rows = [np.array([[0.0, thin, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]])]
+    rows = [np.array([[0.0, thin, *np.zeros(7)]])]
     for piece in profile.pieces(l):
         s, ds = np.ravel(piece.position(PLACES)), np.broadcast_to(piece.slope(x), x.shape)
         place = place + slope * (float(s[0]) - last)
@@ -133,16 +135,16 @@ def _shapes(profile: Profile, l: float, power: int) -> _Shapes:
         turned, there = slope + inside @ rate, slope + onto @ rate
         went = place + onto @ (turned * ds[:, None])
         h = np.broadcast_to(piece.thickness(PLACES), PLACES.shape)
-        rows.append(np.column_stack([s, h, went, there, bends[1]]))
+        step = np.append(np.diff(s), 0.0)
+        step = np.maximum(step, np.append(0.0, step[:-1]))
+        rows.append(np.column_stack([s, h, step, went, there, bends[1]]))
         slope, place, last = there[-1], went[-1], float(s[-1])
     place = place + slope * (l - last)
-    rows.append(np.array([[l, thin, *place, *slope, 0.0, 0.0]]))
-    s, h, *each = np.concatenate(rows).T
+    rows.append(np.array([[l, thin, 0.0, *place, *slope, 0.0, 0.0]]))
+    s, h, step, *each = np.concatenate(rows).T
     # shares of both curvatures that shift the end, or turn it, alone
     shares = np.linalg.inv(np.array([place, slope]))
     by_end = [np.column_stack(pair) @ shares for pair in (each[:2], each[2:4], each[4:])]
-    step = np.append(np.diff(s), 0.0)
-    step = np.maximum(step, np.append(0.0, step[:-1]))
     return _Shapes(s, h, step, *(column for pair in by_end for column in pair.T))
 
 

@@ -1,4 +1,4 @@
-"""Envelope: the box that blades and bodies fill, at rest and over the stroke."""
+"""Envelope: the box that blades and bodies fill, at rest, over the stroke and under loads."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -29,7 +29,7 @@ class Envelope(Requirement, Shorthand):
     sides: tuple[PositiveLength, PositiveLength, PositiveLength]
     """Longest that it may be along x, y and z, e.g. ``[80 mm, 40 mm, 30 mm]``."""
     cases: tuple[str, ...] | None = None
-    """Cases of whose strokes it is asked; all, if left out,
+    """Cases of whose strokes and loads it is asked; all, if left out,
     e.g. ``cases: [operation], sides: [80 mm, 40 mm, 30 mm]``.
     """
 
