@@ -47,6 +47,10 @@ UNEVEN_AXIAL = 3.0
 N l/(2 k) of k each, where a blade that is uniform, k = 2 EI/l in series, has N l²/(12 EI)."""
 
 
+HALF = 0.5
+"""Share of a motion beside the drive by which later orders may change it, up to which they add up
+as a geometric series does."""
+
 IN_PLANE = 1e-9
 """Share of a motion that is rounding."""
 
@@ -146,9 +150,11 @@ def poses(joint: SpaceJoint, scene: Scene, travels: Floats, loads: SpaceState | 
     )  # fmt: skip
     changes = [(state, spring_change(joint, state)) for state in (unit, loads) if state is not None]
     springs, buckling = max(share for _, share in changes), max(a.buckling for a in after)
-    third = max(map(third_order, after)) + (0.0 if joint.is_uniform else found.axial)
-    if springs + third > KNOWN or buckling > SOFTENED or not joint.is_known:
+    third = max(map(third_order, after))
+    third += 0.0 if joint.is_uniform else found.axial * (1.0 - 1.0 / UNEVEN_AXIAL)
+    if springs > KNOWN or third > HALF or buckling > SOFTENED or not joint.is_known:
         return found._replace(is_known=False)
+    third /= 1.0 - third
     further = third * np.abs(beside_drive(layout, one, travels))
     further = further + (third + springs + buckling / (1.0 - buckling)) * np.abs(two)
     for state, share in changes:

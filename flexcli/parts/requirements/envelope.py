@@ -47,8 +47,8 @@ class Envelope(Requirement, Shorthand):
         what = "at rest and over the stroke" if scene.moves else "at rest"
         if acting := scene.loads & BORNE:
             what += f" and under its {' and '.join(sorted(acting))}"
-        if shaken := scene.loads - BORNE - {LoadKind.STROKE}:
-            what += f", without what its {' and '.join(sorted(shaken))} moves"
+        if shaken := scene.loads - BORNE - {LoadKind.STROKE, LoadKind.AXES}:
+            what += f", without the motion by its {' and '.join(sorted(shaken))}"
         without = f"; without the outline of {', '.join(bare)}, which has none" if bare else ""
         for axis, side, least, most, allowed in zip("xyz", *box[:3], self.sides, strict=True):
             known = box.is_known and side > 0.0
