@@ -50,10 +50,11 @@ class Envelope(Requirement, Shorthand):
         if shaken := scene.loads - BORNE - {LoadKind.STROKE, LoadKind.AXES}:
             what += f", without the motion by its {' and '.join(sorted(shaken))}"
         without = f"; without the outline of {', '.join(bare)}, which has none" if bare else ""
-        for axis, side, least, most, allowed in zip("xyz", *box[:3], self.sides, strict=True):
+        sides = (each.tolist() for each in box[:3])
+        for axis, side, least, most, allowed in zip("xyz", *sides, self.sides, strict=True):
             known = box.is_known and side > 0.0
             yield Limit(
                 f"envelope {axis}", scene.case, f"length along {axis} {what}{without}",
-                float(side), allowed, "m", "edges of blades and corners of bodies", variant="max",
+                side, allowed, "m", "edges of blades and corners of bodies", variant="max",
                 error=ErrorRange(least / side - 1.0, most / side - 1.0) if known else None,
             )  # fmt: skip
