@@ -48,6 +48,8 @@ __all__ = [
     "INNER",
     "KNOWN",
     "SOFTENED",
+    "STIFFENS",
+    "THIRD",
     "WARPING_ERROR",
     "Place",
     "StrokeEnd",
@@ -64,7 +66,6 @@ __all__ = [
     "motions",
     "own_frequency",
     "parasitic_frequency",
-    "poses",
     "sag",
     "senses",
     "spring_change",
@@ -248,37 +249,6 @@ def left_by_temperature(ask: Ask) -> tuple[float, ...]:
     moved = warmed(joint.assembly, locked=False).moved.coordinates[:, 0]
     found = joint.assembly.motion(body.name, body.point) @ moved
     return tuple(found.tolist())
-
-
-def poses(joint: SpaceJoint, scene: Scene) -> tuple[list[tuple[float, Floats]], float]:
-    """Return the motion of every body at the ends of a stroke, and its error [m].
-
-    A pose is a travel with shift and rotation vector of each body's point (bodies, 6), along the
-    axes of the layout, to second order, without loads.
-    """
-    assembly, layout = joint.assembly, joint.layout
-    found, doubt = list[tuple[float, Floats]](), 0.0
-    centre = layout.body(layout.drive.body).point
-    for travel in dict.fromkeys(scene.stroke_ends):
-        if travel == 0.0:
-            continue
-        state = action(assembly, Acting(travel, np.zeros(6), centre, np.zeros(3)))
-        after = state.following()
-        motion = np.zeros((len(layout.bodies), 6))
-        for k, body in enumerate(layout.bodies):
-            to_point = assembly.motion(body.name, body.point)
-            one = to_point @ state.moved.coordinates[:, 0]
-            motion[k] = one + to_point @ after.coordinates
-            if body.name == layout.drive.body:  # the drive's point turns about it as well
-                arm = np.subtract(body.point, layout.drive.point)
-                motion[k, :3] += np.cross(one[3:], np.cross(one[3:], arm)) / 2.0
-        share = spring_change(joint, state) + third_order(after)
-        length = max(member.l for member in assembly.members)
-        floor = THIRD * length * after.rotation**3
-        most = float(np.linalg.norm(motion[:, :3], axis=1).max())
-        doubt = max(doubt, share * most + floor if share <= KNOWN else inf)
-        found.append((travel, motion))
-    return found, doubt
 
 
 def sag(joint: SpaceJoint, scene: Scene) -> Told:

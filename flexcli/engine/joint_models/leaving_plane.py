@@ -9,7 +9,8 @@ ends there.
 from collections.abc import Iterator
 from math import cos, inf, sin
 
-from flexcli.engine.joint_models.space_exact import SpaceExactModel, loads_of
+from flexcli.engine.joint_models.dead_loads import loads_of
+from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.critical import straight_critical_factor
 from flexcli.mechanics.space.exact.demand import drive_frame

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
 from flexcli.engine.joint_models.space_deflection import deflections
@@ -35,7 +36,7 @@ from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance, vibration
 from flexcli.mechanics.space.inertia import blade_masses
-from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
+from flexcli.mechanics.space.layout import SpaceLayout
 from flexcli.mechanics.space.states import Acting, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import Buckled, NotAvailable
@@ -63,7 +64,7 @@ from flexcli.results import ErrorRange, QuantityKind
 if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
-__all__ = ["SpaceExactModel", "beam_peaks", "loads_of", "section_peaks"]
+__all__ = ["SpaceExactModel", "beam_peaks", "section_peaks"]
 
 Floats = NDArray[np.float64]
 
@@ -257,7 +258,7 @@ class SpaceExactModel(SpaceLinearModel):
         joint = joint_of(ask)
         groups = [loads_of(joint, each) for each in acting_groups(joint, ask.scene)]
         for signs in product((1.0, -1.0), repeat=len(groups)):
-            loads = tuple(_signed(groups, signs))
+            loads = tuple(signed(groups, signs))
             try:
                 ends = self._ends(ask, loads)
             except (NotAvailable, SolveError):
@@ -377,7 +378,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
         beams = path if blades is BEAMS else _path_at(ask, travel, BEAMS)
         soft = _with_soft_blocks(layout, beams) if blades is BEAMS and known else None
         for signs in senses(scene, len(groups)):
-            pattern = list(_signed(groups, signs))
+            pattern = list(signed(groups, signs))
             spoken = scene.hold
             try:
                 found = critical_load(
@@ -490,36 +491,6 @@ def _weight_of_blades(joint: SpaceJoint, acting: Acting) -> float:
     return halves / bodies if bodies > 0.0 else inf
 
 
-def loads_of(joint: SpaceJoint, acting: Acting) -> list[SpaceLoad]:
-    """Return a wrench on the moving body and an acceleration as loads.
-
-    The mass of a blade weighs by halves on the bodies at its ends.
-    """
-    layout, found = joint.layout, list[SpaceLoad]()
-    if np.any(acting.wrench):
-        force, moment = _times(1.0, acting.wrench[:3]), _times(1.0, acting.wrench[3:])
-        found.append(SpaceLoad(layout.drive.body, acting.point, force, moment))
-    if np.any(acting.acceleration):
-        moving = {body.name for body in layout.bodies}
-        weighing = [(body.name, body.com, body.mass) for body in layout.bodies]
-        for blade, mass in zip(layout.blades, blade_masses(joint.assembly), strict=True):
-            ends = ((blade.first, blade.start), (blade.second, blade.end))
-            weighing += [(name, at, float(mass) / 2.0) for name, at in ends if name in moving]
-        found += [
-            SpaceLoad(name, at, _times(mass, acting.acceleration))
-            for name, at, mass in weighing
-            if mass > 0.0
-        ]
-    return found
-
-
-def _signed(groups: Iterable[Sequence[SpaceLoad]], signs: Iterable[float]) -> Iterator[SpaceLoad]:
-    """Yield groups of loads, each in its sense."""
-    for sign, group in zip(signs, groups, strict=True):
-        for load in group:
-            yield load._replace(force=_times(sign, load.force), moment=_times(sign, load.moment))
-
-
 def _stress_of_weight(joint: SpaceJoint, acting: Acting) -> float:
     """Return the largest stress of the blades' weight between ends that do not move [Pa]."""
     if not np.any(acting.acceleration):
@@ -533,11 +504,6 @@ def _stress_of_weight(joint: SpaceJoint, acting: Acting) -> float:
     )
     found = Stresses(joint.assembly).of(np.zeros(len(joint.assembly.rows)), weights)
     return max(float(np.max(equivalent(each.normal, each.shear))) for each in found)
-
-
-def _times(factor: float, vector: Sequence[float] | Floats) -> Vector:
-    x, y, z = (factor * float(each) for each in vector)
-    return x, y, z
 
 
 def _changed(

@@ -1,141 +1,124 @@
-"""The box that a mechanism in space fills, at rest and while its drive travels."""
+"""The box that a mechanism in space fills while it travels: of points, and of how far off each is.
 
-from collections.abc import Mapping, Sequence
+A sweep are points (shares, travels, points, 3) and how far off each may be along the axes of the
+box (the same shape) [m]: at even shares of loads, and at even travels.
+"""
+
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.profile import Profile
-from flexcli.mechanics.space.exact.rotation import matrix_of
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, SpaceRod, Vector
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, SpaceStar
 
-__all__ = ["SweptBox", "swept_box"]
+__all__ = ["Edges", "Sweep", "SweptBox", "edges_of", "swept_box"]
 
 Floats = NDArray[np.float64]
 
-TRAVELS = 9
-"""Travels between the ends at which it is looked at: a corner may reach furthest between them."""
+BEYOND = 0.25
+"""Of a second difference, how far points may reach beyond those that are looked at: twice what a
+parabola does."""
 
-PLACES = 9
-"""Sections of a blade."""
+CURLED = 1.47
+"""Times ``ν h/√(12 (1 − ν²))``, how far the sides of a bent blade curl away from its middle at
+most, however wide it is: strips of any width (Ashwell's profile, which
+:mod:`flexcli.formulas.plate_flattening` has the energy of) had 1.466."""
 
-_ENDS = np.array([-1.0, 1.0])
+_SIGNS = np.array([1.0, -1.0])
+
+
+class Sweep(NamedTuple):
+    """Points on their way, and how far off they may be along the axes of the box [m], if known."""
+
+    points: Floats
+    off: Floats
+    is_known: bool = True
 
 
 class SweptBox(NamedTuple):
-    """Sides of the box [m], and how far off the bent blades' lines may be [m].
-
-    Blades are taken as cubics between their ends. Those leave an elastic line by less than its
-    distance from the chord times the square of its largest angle against it.
-    """
+    """Sides of the box along its axes (3,) [m], and between what they lie, if known."""
 
     sides: Floats
-    doubt: float
+    least: Floats
+    most: Floats
+    is_known: bool = True
 
 
-def swept_box(
-    layout: SpaceLayout,
-    outlines: Mapping[str, Floats],
-    poses: Sequence[tuple[float, Floats]],
-    axes: Floats,
-) -> SweptBox:
-    """Return the box along some axes around all blades and outlined bodies.
+class Edges(NamedTuple):
+    """A blade on its way: its line (…, places, 3) [m] and what its section is along it.
 
-    Parameters
-    ----------
-    layout : SpaceLayout
-        The mechanism at rest.
-    outlines : mapping
-        Corners of bodies at rest, by name, shape (points, 3) [m].
-    poses : sequence
-        Travels of the drive, and shift and rotation vector of every body's point there, shape
-        (bodies, 6) [m, rad]; between them and rest the motion is interpolated.
-    axes : array, shape (3, 3)
-        The directions of the box's sides, by rows.
-
+    ``across`` and ``width`` are unit vectors along the section's thickness and width, ``along`` is
+    the line's own direction, all (…, places, 3); ``h`` (places,) is the thickness [m], ``kappa``
+    (…, places) the curvature [1/m] and ``steps`` (places,) the distance to the next place [m].
     """
-    known = {0.0: np.zeros((len(layout.bodies), 6)), **dict(poses)}
-    travels = np.linspace(min(known), max(known), TRAVELS) if len(known) > 1 else np.zeros(1)
-    low, high, doubt = np.full(3, np.inf), np.full(3, -np.inf), 0.0
-    for travel in dict.fromkeys([*known, *travels.tolist()]):
-        motion = _between(known, travel)
-        for points, off in _outline(layout, outlines, motion):
-            placed = points @ axes.T
-            low, high = np.minimum(low, placed.min(axis=0)), np.maximum(high, placed.max(axis=0))
-            doubt = max(doubt, off)
-    return SweptBox(high - low, doubt)
+
+    line: Floats
+    along: Floats
+    across: Floats
+    width: Floats
+    h: Floats
+    kappa: Floats
+    steps: Floats
 
 
-def _between(known: Mapping[float, Floats], travel: float) -> Floats:
-    """Return the motion at a travel, by the polynomial through those that are known (Lagrange)."""
-    found = np.zeros_like(known[0.0])
-    for at, motion in known.items():
-        others = [other for other in known if other != at]
-        found += motion * np.prod([(travel - other) / (at - other) for other in others])
-    return found
+def swept_box(sweeps: Iterable[Sweep]) -> SweptBox:
+    """Return the box around sweeps, whose points are along the axes of the box.
+
+    Between two travels, or shares, a point reaches further than at either by an eighth of its
+    second difference, if its way is a parabola there.
+    """
+    ends = np.full((3, 2, 3), -np.inf)  # as they are, at least, at most; above and below
+    known = True
+    for points, off, is_known in sweeps:
+        known = known and is_known
+        past = _past(points, 0) + _past(points, 1)
+        for i, more in enumerate((np.zeros(3), -off, off + past)):
+            for k, sign in enumerate(_SIGNS):
+                reach = (sign * points + more).reshape(-1, 3).max(axis=0)
+                ends[i, k] = np.maximum(ends[i, k], reach)
+    sides, least, most = ends.sum(axis=1)
+    return SweptBox(sides, np.maximum(least, 0.0), most, known)
 
 
-def _outline(
-    layout: SpaceLayout, outlines: Mapping[str, Floats], motion: Floats
-) -> list[tuple[Floats, float]]:
-    """Return the points of bodies and blades as they moved, and how far off each may be."""
-    names = [body.name for body in layout.bodies]
-    turns = {name: _turn(motion[i, 3:]) for i, name in enumerate(names)}
-
-    def placed(body: str, points: Floats | Vector) -> Floats:
-        if body not in turns:
-            return np.asarray(points, dtype=np.float64)
-        i = names.index(body)
-        origin = np.asarray(layout.bodies[i].point)
-        return np.asarray((points - origin) @ turns[body].T + origin + motion[i, :3])
-
-    found = [(placed(name, corners), 0.0) for name, corners in outlines.items()]
-    for blade in layout.blades:
-        ends = placed(blade.first, blade.start), placed(blade.second, blade.end)
-        frames = [
-            blade.axes @ turns[body].T if body in turns else blade.axes
-            for body in (blade.first, blade.second)
-        ]
-        found.append(_bent(blade, ends, frames))
-    return found
+def _past(points: Floats, axis: int) -> Floats:
+    """Return how far points may reach beyond those beside them along an axis of the array."""
+    if points.shape[axis] < 3:
+        return np.zeros(points.shape)
+    bent = np.moveaxis(np.abs(np.diff(points, 2, axis=axis)), axis, 0)
+    bent = np.concatenate([bent[:1], bent, bent[-1:]])
+    return BEYOND * np.moveaxis(bent, 0, axis)
 
 
-def _turn(phi: Floats) -> Floats:
-    """Return the matrix of a rotation vector (3, 3)."""
-    half = float(np.linalg.norm(phi)) / 2.0
-    return matrix_of(np.array([np.cos(half), *(phi / 2.0 * np.sinc(half / np.pi))]))
+def edges_of(blade: SpaceBlade | SpaceRod, edges: Edges, axes: Floats, grown: float) -> Sweep:
+    """Return the edges of a blade or rod along axes by rows (3, 3), and how far off they may be.
 
-
-def _bent(
-    blade: SpaceBlade | SpaceRod, ends: tuple[Floats, Floats], frames: Sequence[Floats]
-) -> tuple[Floats, float]:
-    """Return the edges of a blade bent between its ends, and how far off they may be."""
-    l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
-    s = np.linspace(0.0, 1.0, PLACES)[:, None]
-    (p, q), (t, u) = ends, (l * frames[0][0], l * frames[1][0])
-    line = (
-        (1.0 + 2.0 * s) * (1.0 - s) ** 2 * p + s * (1.0 - s) ** 2 * t
-        + s**2 * (3.0 - 2.0 * s) * q - s**2 * (1.0 - s) * u
-    )  # fmt: skip
-    slope = (
-        6.0 * s * (1.0 - s) * (q - p) + (1.0 - s) * (1.0 - 3.0 * s) * t + s * (3.0 * s - 2.0) * u
-    )
-    along = slope / np.linalg.norm(slope, axis=1, keepdims=True)
-    chord = (q - p) / np.linalg.norm(q - p)
-    sine = float(np.linalg.norm(np.cross(along, chord), axis=1).max())
-    away = float(np.linalg.norm(np.cross(line - p, chord), axis=1).max())
-    if isinstance(blade, SpaceRod):
-        reach = blade.d / 2.0 * np.sqrt(np.maximum(1.0 - along**2, 0.0))
-        return np.concatenate([line - reach, line + reach]), away * sine**2
-    width = (1.0 - s) * frames[0][2] + s * frames[1][2]
-    across = np.cross(width, along)
-    across, width = (x / np.linalg.norm(x, axis=1, keepdims=True) for x in (across, width))
-    h, b = _thickest(blade.profile, l), blade.b
-    edges = [line + i * h / 2.0 * across + k * b / 2.0 * width for i in _ENDS for k in _ENDS]
-    return np.concatenate(edges), away * sine**2
-
-
-def _thickest(profile: Profile, l: float) -> float:
-    """Return the largest thickness of a blade where it is flexible [m]."""
-    return max(float(np.max(piece.thickness(_ENDS))) for piece in profile.pieces(l))
+    The sides of a bent blade curl away from its middle by up to ``ν κ b²/8``, and it is wider by
+    its strain where it is compressed. Its section has ``grown`` by a free strain.
+    """
+    line, along, across, width = (each @ axes.T for each in edges[:4])
+    between = (edges.kappa * edges.steps**2 / 8.0)[..., None]
+    nu = blade.material.nu
+    if isinstance(blade, SpaceRod) and not isinstance(blade, SpaceStar):
+        reach = (1.0 + grown) * blade.d / 2.0 * np.sqrt(np.maximum(1.0 - along**2, 0.0))
+        wider = 1.0 + nu * blade.d / 2.0 * edges.kappa[..., None]
+        off = reach * (wider - 1.0) + between
+        points = np.concatenate([line - reach, line + reach], axis=-2)
+        return Sweep(points, np.concatenate([off, off], axis=-2))
+    if isinstance(blade, SpaceStar):
+        arms, half = blade.arms / 2.0, blade.h / 2.0
+        corners = [
+            (blade.b * y - 2.0 * k * half * z, blade.b * z + 2.0 * k * half * y)
+            for y, z in arms for k in _SIGNS
+        ]  # fmt: skip
+        b, curl = blade.d, np.zeros_like(edges.kappa)
+        sections = [(np.full_like(edges.h, y), z) for y, z in corners]
+    else:
+        b = blade.b
+        most = CURLED * nu * edges.h / np.sqrt(12.0 * (1.0 - nu**2))
+        curl = np.minimum(nu * edges.kappa * b**2 / 8.0, most)
+        sections = [(i * edges.h / 2.0, k * b / 2.0) for i in _SIGNS for k in _SIGNS]
+    wider = nu * edges.kappa * edges.h * b / 4.0
+    off = np.abs(across) * (curl[..., None] + between) + np.abs(width) * wider[..., None]
+    each = [line + (1.0 + grown) * (y[..., None] * across + z * width) for y, z in sections]
+    return Sweep(np.concatenate(each, axis=-2), np.concatenate([off] * len(each), axis=-2))

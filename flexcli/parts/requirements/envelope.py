@@ -1,17 +1,22 @@
-"""Envelope: the box that blades and bodies fill, at rest and over the stroke."""
+"""Envelope: the box that blades and bodies fill, at rest, over the stroke and under loads."""
 
 from collections.abc import Iterator
-from math import isfinite
 from typing import ClassVar
 
 from flexcli.parts.base import PositiveLength, Shorthand
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Limit, Requirement
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange
 
 __all__ = ["Envelope"]
+
+
+BORNE = frozenset({
+    LoadKind.LOAD, LoadKind.WRENCH, LoadKind.ACCELERATION, LoadKind.TEMPERATURE
+})  # fmt: skip
+"""Loads whose motion is in the box."""
 
 
 class Envelope(Requirement, Shorthand):
@@ -24,7 +29,7 @@ class Envelope(Requirement, Shorthand):
     sides: tuple[PositiveLength, PositiveLength, PositiveLength]
     """Longest that it may be along x, y and z, e.g. ``[80 mm, 40 mm, 30 mm]``."""
     cases: tuple[str, ...] | None = None
-    """Cases of whose strokes it is asked; all, if left out,
+    """Cases of whose strokes and loads it is asked; all, if left out,
     e.g. ``cases: [operation], sides: [80 mm, 40 mm, 30 mm]``.
     """
 
@@ -38,13 +43,18 @@ class Envelope(Requirement, Shorthand):
             box, bare = ask.joint_model.envelope(ask)
         except NotAvailable as error:
             raise RequirementError(f"a {ask.geometry.name} {error}") from error
-        what = "at rest and over the stroke" if ask.scene.moves else "at rest"
+        scene = ask.scene
+        what = "at rest and over the stroke" if scene.moves else "at rest"
+        if acting := scene.loads & BORNE:
+            what += f" and under its {' and '.join(sorted(acting))}"
+        if shaken := scene.loads - BORNE - {LoadKind.STROKE, LoadKind.AXES}:
+            what += f", without the motion by its {' and '.join(sorted(shaken))}"
         without = f"; without the outline of {', '.join(bare)}, which has none" if bare else ""
-        for axis, side, most in zip("xyz", box.sides.tolist(), self.sides, strict=True):
-            known = isfinite(box.doubt) and side > 0.0
-            off = 2.0 * box.doubt / side if known else 0.0
+        sides = (each.tolist() for each in box[:3])
+        for axis, side, least, most, allowed in zip("xyz", *sides, self.sides, strict=True):
+            known = box.is_known and side > 0.0
             yield Limit(
-                f"envelope {axis}", ask.scene.case, f"length along {axis} {what}{without}",
-                side, most, "m", "edges of blades and corners of bodies", variant="max",
-                error=ErrorRange(-min(off, 1.0), off) if known else None,
+                f"envelope {axis}", scene.case, f"length along {axis} {what}{without}",
+                side, allowed, "m", "edges of blades and corners of bodies", variant="max",
+                error=ErrorRange(least / side - 1.0, most / side - 1.0) if known else None,
             )  # fmt: skip

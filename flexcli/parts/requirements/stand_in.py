@@ -64,7 +64,7 @@ class _StandIn(JointModel):
         from flexcli.mechanics.space.swept_box import SweptBox
 
         ask.geometry.space_layout(ask.material.elastic, ask.sizes)
-        return SweptBox(np.ones(3), 0.0), ()
+        return SweptBox(np.ones(3), np.ones(3), np.ones(3), is_known=False), ()
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return 1."""

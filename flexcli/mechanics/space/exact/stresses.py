@@ -34,6 +34,7 @@ __all__ = [
     "SectionStates",
     "added_states",
     "beam_stresses",
+    "beams_of_state",
     "blade_stresses",
     "difference",
     "largest_of",
@@ -104,16 +105,16 @@ class SectionStates(NamedTuple):
 
 def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
     """Return the stresses of every blade and rod of an equilibrium of beams."""
-    members, inside = _beams_of(state)
+    members, inside = beams_of_state(state)
     return beam_stresses(members, inside, state.own_forces, state.layout.blades, state.effects)
 
 
 def section_states(state: SpaceEquilibrium) -> list[SectionStates]:
     """Return what acts in the sections of every blade and rod of an equilibrium of beams."""
-    return _sections_along(*_beams_of(state), state.own_forces)
+    return _sections_along(*beams_of_state(state), state.own_forces)
 
 
-def _beams_of(state: SpaceEquilibrium) -> tuple[Beams, Floats]:
+def beams_of_state(state: SpaceEquilibrium) -> tuple[Beams, Floats]:
     """Return the beams of an equilibrium, and what is inside of them."""
     part = state.part
     assembly = part.assembly.warmed(part.demand.warmth(part.share))
