@@ -154,8 +154,8 @@ def above_bars(x: float) -> tuple[float, float]:
 
     Examples
     --------
-    >>> [round(share, 3) for share in above_bars(8.0)]
-    [0.11, 0.358]
+    >>> [round(share, 3) for share in above_bars(6.5)]
+    [0.08, 0.275]
 
     References
     ----------
