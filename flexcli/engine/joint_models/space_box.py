@@ -5,6 +5,7 @@ stroke under half of them and under all: a stroke is from where they leave the j
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 from itertools import product
 
 import numpy as np
@@ -86,6 +87,7 @@ def exact_box(ask: Ask) -> tuple[SweptBox, tuple[str, ...]]:
     """Return the box by exact beams, and the parts that have no outline."""
     scene, travels, known = ask.scene, _travels(ask.scene), _known_travels(ask.scene)
 
+    @cache
     def plain() -> Sweep:
         at = known if scene.moves else np.zeros(1)
         states = [at_travel(ask, float(travel), warm=False) for travel in at]
