@@ -6,20 +6,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from twins.kinds import (
+    BARS,
+    KINDS,
+    LIMBS,
+    NOTCHES,
+    PIVOTS,
+    ROOTED,
+    TURNS,
+)
+from twins.rare_keys import draw_rare_keys
 from twins.verdicts import ERROR, FALSE_FAIL, UNDECIDED, UNSAFE, answer, checked, spoken
-
-PIVOTS = ("rcc", "cross-spring", "star", "three-blade", "unseparated-cross", "hinged-pivot")
-HINGES = ("moment-blade", "notch-hinge", "elliptic-hinge", "filleted-hinge")
-NOTCHES = HINGES[1:]
-LIMBS = ("hinged-pivot", "hinged-stage")
-BARS = ("torsion-bar", "round-torsion-bar", "torsion-star")
-STAGES = ("cantilever", "guided-blade", "leaf-spring-stage", "necked-down-stage", "hinged-stage")
-DRAWN = ("layout", "layout-pivot")
-KINDS = PIVOTS + HINGES + BARS + STAGES + DRAWN + ("linkage",)
-TURNS = PIVOTS + HINGES + BARS + ("layout-pivot", "linkage")
-ROOTED = ("rcc", "cross-spring", "star", "three-blade", "cantilever", "guided-blade",
-          "moment-blade", "leaf-spring-stage")  # fmt: skip
-"""Joints of blades that may have fillets at their roots."""
 
 ENDS = ("clamped-clamped", "clamped-guided", "clamped-pinned", "pinned-pinned", "clamped-free")
 NEAR = 0.03
@@ -106,11 +103,7 @@ class Writer:
             geometry["blocks"] = self.one("massive", m(mouth(geometry) * self.log(0.3, 3.0)))
         self.warmed_and_driven(spec, requirements)
         self.rooted(geometry)
-        self.of_sheets(material)
-        self.warmed_unevenly(spec)
-        self.shaken_otherwise(spec)
-        self.worn(spec, requirements)
-        self.misseated(requirements)
+        draw_rare_keys(self, spec, requirements, EASY)
         return Scene(self.kind, spec, requirements)
 
     def warmed_and_driven(self, spec, requirements):
@@ -389,135 +382,6 @@ class Writer:
             geometry["root_radius"] = m(min(self.h * self.log(0.3, 10.0), 0.45 * self.l))
         if "root_radius" not in geometry or self.rng.random() < 0.3:
             geometry["clamps"] = self.one("monolithic", "monolithic-flush", "rigid")
-
-    def of_sheets(self, material):
-        """Make some joints of a crystal or of a sheet that is stiffer one way."""
-        rng = self.rng
-        if rng.random() > 0.06 or self.kind in (*BARS, "linkage"):
-            return
-        for isotropic in ("youngs_modulus", "poisson_ratio"):
-            material.pop(isotropic, None)
-        if rng.random() < 0.6:
-            material["crystal"] = {"c11": "165.7 GPa", "c12": "63.9 GPa", "c44": "79.6 GPa"}
-            material["orientation"] = {"wafer": self.one("100", "110", "111")}
-        else:
-            material["orthotropic"] = {
-                "E_1": "140 GPa", "E_2": "60 GPa", "G_12": "15 GPa", "nu_12": 0.3,
-            }  # fmt: skip
-            material["orientation"] = {}
-        material["orientation"]["turned"] = f"{self.one(0.0, float(rng.uniform(0, 90)))!r} deg"
-        if rng.random() < 0.3:
-            material["orientation"]["width"] = "in-plane"
-
-    def warmed_unevenly(self, spec):
-        """Let the temperature of a case rise from place to place, bodies be of another material."""
-        rng, case, material = self.rng, spec["cases"]["work"], spec["material"]
-        alone = spec.get("mechanism", {}).get("kind") != "parallel-stage"
-        warm = case.get("temperature")
-        if warm is None:
-            if rng.random() > 0.08 or not alone or self.kind in (*BARS, "linkage"):
-                return
-            warm = case["temperature"] = {}
-            material["thermal_expansion"] = f"{self.log(1e-6, 25e-6)!r} 1/K"
-        elif rng.random() > 0.6:
-            return
-        if not warm or rng.random() < 0.6:
-            rise = self.log(0.1, 30.0) / self.l * self.one(-1, 1)
-            axes = self.one("x", "y", "xy")
-            warm["gradient"] = {axis: f"{rise * rng.uniform(0.2, 1.0)!r} K/m" for axis in axes}
-        if rng.random() < 0.4:
-            moving = spec["geometry"].get("moving", "moving")
-            for body in self.one(("ground",), (moving,), ("ground", moving)):
-                warm.setdefault("expansion", {})[body] = f"{self.log(3e-7, 25e-6)!r} 1/K"
-        if rng.random() < 0.5:
-            # stiffer and stronger where it is colder
-            strengths = ("yield_strength", "tensile_strength", "youngs_modulus")
-            material["over_temperature"] = {
-                name: {"points": [
-                    [f"{kelvin} K", f"{float(material[name].split()[0]) * share!r} Pa"]
-                    for kelvin, share in ((4, 1.3), (150, 1.2), (293, 1.0), (700, 0.6))
-                ]}
-                for name in strengths
-                if name in material
-            }  # fmt: skip
-
-    def shaken_otherwise(self, spec):
-        """Put sines, sweeps, other shocks and vibration along several axes in the place of some."""
-        rng = self.rng
-        for case in spec["cases"].values():
-            if "shock" in case and rng.random() < 0.5:
-                shock = {"q": self.one(10, 50), "axis": self.one("x", "y", "z")}
-                if rng.random() < 0.5:
-                    shock["velocity"] = f"{self.log(0.01, 5.0)!r} m/s"
-                else:
-                    shock["srs"] = [
-                        {"frequency": f"{f} Hz", "acceleration": f"{self.log(1.0, 1e3)!r} g"}
-                        for f in (10, 300, 2000)
-                    ]
-                case["shock"] = shock
-            if "asd" in case and rng.random() < 0.6:
-                way = rng.random()
-                if way < 0.35:
-                    del case["asd"]
-                    axes = self.one("xy", "xz", "yz", "xyz")
-                    case["axes"] = {
-                        axis: {"asd": "gevs-qualification", "scale": f"{self.one(0, -3)} dB"}
-                        for axis in axes
-                    }
-                    case |= {"q": self.one(20, 50), "combine": self.one("at-once", "in-turn")}
-                elif way < 0.7:
-                    low = self.log(5.0, 1000.0)
-                    tone = {"acceleration": f"{self.log(0.1, 30.0)!r} g", "from": f"{low!r} Hz"}
-                    case["sines"] = [tone | {"to": f"{low * self.log(1.01, 3.0)!r} Hz"}]
-                else:
-                    del case["asd"]
-                    level = {"acceleration": f"{self.log(0.1, 30.0)!r} g", "axis": self.one(*"xyz")}
-                    f = self.log(5.0, 2000.0)
-                    case["q"] = self.one(20, 50)
-                    if rng.random() < 0.5:
-                        case["sine"] = level | {"frequency": f"{f!r} Hz"}
-                    else:
-                        ends = {"from": f"{f!r} Hz", "to": f"{10.0 * f!r} Hz"}
-                        case["sweep"] = level | ends | {"rate": "2 oct/min"}
-
-    def worn(self, spec, requirements):
-        """Give the fatigue of some materials by an S-N curve."""
-        if self.rng.random() > 0.15 or "fatigue" not in requirements:
-            return
-        material = spec["material"]
-        tensile = float(material["tensile_strength"].split()[0])
-        if self.rng.random() < 0.5:
-            basquin = {"coefficient": f"{1.5 * tensile!r} Pa", "exponent": -0.08, "to_cycles": 1e7}
-            curve = {"basquin": basquin}
-        else:
-            shares = {1e3: 0.8, 1e5: 0.6, 1e8: 0.35}
-            curve = {"points": [
-                {"cycles": n, "amplitude": f"{share * tensile!r} Pa"} for n, share in shares.items()
-            ]}  # fmt: skip
-        material["sn_amplitudes"] = curve | {"stress_ratio": self.one(-1, 0.1)}
-        del material["fatigue_amplitude"]
-        for case in spec["cases"].values():
-            if "stroke" in case:
-                case["stroke"]["cycles"] = self.log(1e3, 1e7)
-
-    def misseated(self, requirements):
-        """Ask what a missed seat stresses."""
-        rng = self.rng
-        if rng.random() > 0.15 or self.kind in (*BARS, "linkage"):
-            return
-        first = {
-            "layout": "in-a", "layout-pivot": "b0", "hinged-pivot": "limb 1 inner hinge",
-            "hinged-stage": "limb 1 inner hinge", "unseparated-cross": "blade 1 base",
-            "cantilever": "blade", "guided-blade": "blade", "moment-blade": "blade",
-        }  # fmt: skip
-        of = "hinge" if self.kind in NOTCHES else first.get(self.kind, "blade 1")
-        turns, way = rng.random() < 0.5, [float(x) for x in rng.normal(size=3)]
-        way = self.one("x", "y", "z", way)
-        by = self.log(1e-7, 1e-2)
-        asked = {"rotation": {"about": way, "by": f"{by!r} rad"}}
-        if not turns:
-            asked = {"translation": {"along": way, "by": f"{by * self.l!r} m"}}
-        requirements["misalignment_stress"] = {"of": of, "factor": EASY} | asked
 
 
 class Outcome(NamedTuple):
