@@ -186,11 +186,11 @@ class SpaceExactModel(SpaceLinearModel):
             for name, one in first.items():
                 amplitude, mean = np.abs(one - last[name]) / 2.0, (one + last[name]) / 2.0
                 if name in swings:
-                    # what turns over keeps no sign of von Mises' stress: all of it may swing
-                    more = swings[name] > amplitude
+                    # where shear leads, the sign of the normal stress tells nothing of its swing
+                    lost = swings[name] > amplitude
                     most = np.maximum(np.abs(one), np.abs(last[name]))
-                    amplitude = np.where(more, np.minimum(swings[name], most), amplitude)
-                    mean = np.where(more, most - amplitude, mean)
+                    amplitude = np.minimum(swings[name], most)
+                    mean = np.where(lost, most - amplitude, np.copysign(most - amplitude, mean))
                 found.extend(
                     EndStress(name, float(amplitude[i]), float(mean[i]), 0.0, is_at_face=True)
                     for i in dict.fromkeys(map(int, worst_places(amplitude, mean)))
