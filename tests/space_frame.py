@@ -44,7 +44,7 @@ class Frame:
     def __init__(self, points, beams):
         self.points = [np.asarray(p, dtype=float) for p in points]
         n = 6 * len(points)
-        self.K = np.zeros((n, n))
+        self.K, self.beams, self.rows = np.zeros((n, n)), beams, []
         for beam in beams:
             T = np.zeros((12, n))
             for end, (body, place) in enumerate(zip(beam.bodies, beam.ends, strict=True)):
@@ -56,6 +56,26 @@ class Frame:
                 turn = np.kron(np.eye(2), beam.axes)
                 T[6 * end : 6 * end + 6, 6 * body : 6 * body + 6] = turn @ rigid
             self.K += T.T @ beam.K @ T
+            self.rows.append(T)
+
+    def missed(self, index, offset, held=None):
+        """Return the end forces of all beams (beams, 12), one's seat on its second body off (6,).
+
+        ``held`` is a row that may not move.
+        """
+        off = np.zeros(12)
+        off[6:] = np.kron(np.eye(2), self.beams[index].axes) @ offset
+        load = -self.rows[index].T @ self.beams[index].K @ off
+        K = self.K
+        if held is not None:
+            size = np.abs(K).max()
+            K = np.block([[K, size * held[:, None]], [size * held[None, :], np.zeros((1, 1))]])
+            load = np.append(load, 0.0)
+        q = np.linalg.solve(K, load)[: len(self.K)]
+        return np.array([
+            beam.K @ (rows @ q + (off if k == index else 0.0))
+            for k, (beam, rows) in enumerate(zip(self.beams, self.rows, strict=True))
+        ])  # fmt: skip
 
     def compliance(self, body, held=None):
         """Return the 6×6 compliance of a body; ``held`` is a row that may not move."""

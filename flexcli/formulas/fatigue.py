@@ -17,6 +17,7 @@ __all__ = [
     "goodman_amplitude",
     "goodman_factor",
     "swt_amplitude_squared",
+    "swt_reversed_amplitude",
 ]
 
 Floats = NDArray[np.float64]
@@ -96,6 +97,33 @@ def fully_reversed_amplitude(
     if mean >= tensile_strength:
         raise ValueError("the mean stress of this fatigue strength reaches the tensile strength")
     return amplitude / (1.0 - mean / tensile_strength)
+
+
+def swt_reversed_amplitude(amplitude: float, stress_ratio: float) -> float:
+    """Return the fully reversed amplitude that does the damage of one at another stress ratio.
+
+    ``σ_ar = √(σ_max σ_a) = σ_a √(2/(1 − R))`` (Smith, Watson & Topper).
+
+    Parameters
+    ----------
+    amplitude : float
+        Strength as an amplitude [Pa] at the stress ratio R.
+    stress_ratio : float
+        R = σ_min/σ_max, −1 ≤ R < 1.
+
+    Examples
+    --------
+    >>> swt_reversed_amplitude(300.0, -1.0)
+    300.0
+    >>> round(swt_reversed_amplitude(300.0, 0.5), 9)
+    600.0
+
+    References
+    ----------
+    Dowling, N. E. (2013), Mechanical Behavior of Materials, 4th ed., section 9.7.
+
+    """
+    return float(amplitude * (2.0 / (1.0 - stress_ratio)) ** 0.5)
 
 
 def goodman_amplitude(

@@ -43,6 +43,9 @@ SHEARED, SHRUNK = 4.0, 0.42
 """Limits of the comparison of anisotropic blades with solids: shear modulus over the isotropic one
 or its inverse, and Poisson's ratio."""
 
+MOST_NU = 0.5
+"""Poisson's ratio that no isotropic material reaches, as which plates are taken."""
+
 TWISTS = 1e-6
 """Share S_15²/(S_11 S_55) up to which a blade does not twist as it bends."""
 
@@ -249,6 +252,13 @@ def stated(data: dict[str, Any]) -> dict[str, Any]:
     except ValueError:
         return found  # which its own field tells
     blades = blades_of(sheet, orientation, [0.0])
+    if blades.nu >= MOST_NU:
+        raise spec_error(
+            f"blades along x are as wide plates of Poisson's ratio {blades.nu:.3g}, which no "
+            "isotropic plate has",
+            "turn them otherwise, or lay their width across the sheet: width: normal",
+            at=("orientation" if "orientation" in data else key,),
+        )
     source = {"status": sheet.status, "source": sheet.source}
     found["youngs_modulus"] = {"value": f"{blades.E!r} Pa", **source}
     found["poisson_ratio"] = {"value": blades.nu, **source}

@@ -7,7 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import GetJsonSchemaHandler, PrivateAttr, model_validator
 from pydantic_core import CoreSchema
 
-from flexcli.formulas.fatigue import amplitude_at_life, fully_reversed_amplitude
+from flexcli.formulas.fatigue import (
+    amplitude_at_life,
+    fully_reversed_amplitude,
+    swt_reversed_amplitude,
+)
 from flexcli.numerics.rows import number
 from flexcli.parts.base import (
     Density,
@@ -410,25 +414,27 @@ class Material(Part):
             raise MissingProperty(field, "this requirement compares with it")
         return number(given.value)
 
-    def reversed_amplitude(self, cycles: float) -> tuple[float, str]:
+    def reversed_amplitude(self, cycles: float, mean_stress: str = "goodman") -> tuple[float, str]:
         """Return the fully reversed stress amplitude [Pa] borne for a life, and its source.
 
         From the S-N curve where it holds the life; else the fatigue amplitude, for any life up to
         its own (safe, and said so). A life beyond the data raises :class:`MissingProperty`. A
-        strength at another stress ratio is converted to R = −1 by Goodman's line; a source that
-        names no stress ratio is read as fully reversed.
+        strength at another stress ratio is converted to R = −1 by Goodman's line, but to no more
+        than by ``mean_stress``, the method by which a mean counts: under the stresses of its tests
+        it is what they found. A source that names no stress ratio is read as fully reversed.
         """
         curve, single = self.sn_amplitudes, self.fatigue_amplitude
         if curve is not None and curve.curve()[0][0] <= cycles <= curve.curve()[-1][0]:
             amplitude = amplitude_at_life(curve.curve(), cycles)
-            return self._reversed(amplitude, curve.stress_ratio), f"S-N curve at {cycles:g} cycles"
+            strength = self._reversed(amplitude, curve.stress_ratio, mean_stress)
+            return strength, f"S-N curve at {cycles:g} cycles"
         if single is None:
             field = "fatigue_amplitude" if curve is None else "sn_amplitudes"
             why = "fatigue compares with it" if curve is None else f"none for {cycles:g} cycles"
             raise MissingProperty(field, why)
         if single.cycles is None:
             where = "fatigue amplitude (its source states no life)"
-            return self._reversed(single.value, single.stress_ratio), where
+            return self._reversed(single.value, single.stress_ratio, mean_stress), where
         if cycles > single.cycles:
             raise MissingProperty(
                 "sn_amplitudes",
@@ -437,7 +443,7 @@ class Material(Part):
         where = f"fatigue amplitude at {single.cycles:g} cycles"
         if cycles < single.cycles:
             where += f", kept for {cycles:g} (no S-N curve there)"
-        return self._reversed(single.value, single.stress_ratio), where
+        return self._reversed(single.value, single.stress_ratio, mean_stress), where
 
     def reversed_curve(self) -> tuple[tuple[float, float], ...]:
         """Return the corners (cycles, amplitude [Pa]) of the S-N curve at R = −1."""
@@ -446,10 +452,16 @@ class Material(Part):
             raise MissingProperty("sn_amplitudes", "a life follows from it")
         return tuple((n, self._reversed(s, curve.stress_ratio)) for n, s in curve.curve())
 
-    def _reversed(self, amplitude: float, stress_ratio: float | None) -> float:
-        if stress_ratio is None or stress_ratio == -1.0:
+    def _reversed(
+        self, amplitude: float, stress_ratio: float | None, mean_stress: str = "goodman"
+    ) -> float:
+        if stress_ratio is None or stress_ratio == -1.0 or mean_stress == "none":
             return amplitude
-        return fully_reversed_amplitude(amplitude, stress_ratio, self.strength("tensile_strength"))
+        tensile = self.strength("tensile_strength")
+        found = fully_reversed_amplitude(amplitude, stress_ratio, tensile)
+        if mean_stress == "swt":
+            return min(found, swt_reversed_amplitude(amplitude, stress_ratio))
+        return found
 
     def properties(self) -> tuple[Property, ...]:
         """Return every number that the material has, in SI, with where it comes from."""

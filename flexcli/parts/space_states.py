@@ -19,6 +19,7 @@ from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.linear_buckling import linear_critical
+from flexcli.mechanics.space.freedoms import misfit
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.modes import SpaceModes, natural_modes, own_blade_frequency
@@ -117,6 +118,10 @@ quasi-statically."""
 LATER = 1.05
 """How much larger the orders beyond the first may be than if each were as much of the one before as
 the second is of the first: exact beams of three blades under a force across them had 1.01."""
+
+UNSTRESSED = 1e-10
+"""Stress over that of blades whose bodies were held, below which a missed seat leaves rounding:
+bodies that nothing over-constrains follow it freely."""
 
 TWOFOLD = 2.0
 """Factor on the effect at rest of uneven sections: its upper bound at a stroke."""
@@ -633,12 +638,23 @@ def largest_misfit_stress(
 ) -> tuple[Told, str]:
     """Return the largest stress where one of some blades misses its seat, and its place.
 
-    ``motion`` is the offset of the seat on its second body at its end, along the axes of the layout
-    [m, rad]; the drive is free, but about axes of the layout in ``kept`` the body is guided.
+    Where nothing over-constrains the bodies it is zero, and known. ``motion`` is the offset of the
+    seat on its second body at its end, along the axes of the layout [m, rad]; the drive is free,
+    but about axes of the layout in ``kept`` the body is guided.
     """
-    stresses, found, where, errors = Stresses(joint.assembly), 0.0, "", list[ErrorRange | None]()
+    stresses, found, where = Stresses(joint.assembly), 0.0, "nothing is stressed"
+    errors = list[ErrorRange | None]()
     for blade in blades:
-        state = misfitted(joint.assembly, MissedSeat(blade, np.array(motion)), kept=kept)
+        missed = MissedSeat(blade, np.array(motion))
+        state = misfitted(joint.assembly, missed, kept=kept)
+        held = misfit(joint.assembly, blade, missed.offset[:, None])
+        energy, most = (
+            float(joint.assembly.stiffness @ strained[:, 0] ** 2)
+            for strained in (state.moved.deformations, held)
+        )
+        if energy <= UNSTRESSED**2 * most:
+            errors.append(ErrorRange(0.0, 0.0))
+            continue
         here = max(stresses.of(state.moved.forces[:, 0], state.weights), key=largest_stress)
         errors.append(_error(joint, [state], stresses))
         if largest_stress(here) > found:

@@ -6,20 +6,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from twins.kinds import (
+    BARS,
+    KINDS,
+    LIMBS,
+    NOTCHES,
+    PIVOTS,
+    ROOTED,
+    TURNS,
+)
+from twins.rare_keys import draw_rare_keys
 from twins.verdicts import ERROR, FALSE_FAIL, UNDECIDED, UNSAFE, answer, checked, spoken
-
-PIVOTS = ("rcc", "cross-spring", "star", "three-blade", "unseparated-cross", "hinged-pivot")
-HINGES = ("moment-blade", "notch-hinge", "elliptic-hinge", "filleted-hinge")
-NOTCHES = HINGES[1:]
-LIMBS = ("hinged-pivot", "hinged-stage")
-BARS = ("torsion-bar", "round-torsion-bar", "torsion-star")
-STAGES = ("cantilever", "guided-blade", "leaf-spring-stage", "necked-down-stage", "hinged-stage")
-DRAWN = ("layout", "layout-pivot")
-KINDS = PIVOTS + HINGES + BARS + STAGES + DRAWN + ("linkage",)
-TURNS = PIVOTS + HINGES + BARS + ("layout-pivot", "linkage")
-ROOTED = ("rcc", "cross-spring", "star", "three-blade", "cantilever", "guided-blade",
-          "moment-blade", "leaf-spring-stage")  # fmt: skip
-"""Joints of blades that may have fillets at their roots."""
 
 ENDS = ("clamped-clamped", "clamped-guided", "clamped-pinned", "pinned-pinned", "clamped-free")
 NEAR = 0.03
@@ -106,6 +103,7 @@ class Writer:
             geometry["blocks"] = self.one("massive", m(mouth(geometry) * self.log(0.3, 3.0)))
         self.warmed_and_driven(spec, requirements)
         self.rooted(geometry)
+        draw_rare_keys(self, spec, requirements, EASY)
         return Scene(self.kind, spec, requirements)
 
     def warmed_and_driven(self, spec, requirements):
@@ -454,6 +452,7 @@ def near_its_limits(seed, kinds=KINDS, near=NEAR, *, alone=False):
             row = rows[int(rng.integers(len(rows)))]
             apart = (1.0 + near) ** rng.choice([-1.0, 1.0])
             blocks[name] = _near(easy, row, apart)
+    _aimed(blocks, np.random.default_rng(seed + 2 * 10**6))
     if alone and blocks:
         name = sorted(blocks)[int(rng.integers(len(blocks)))]
         blocks = {name: blocks[name]}
@@ -557,6 +556,18 @@ def _omits(spec, name):
 def _key(name, easy):
     keys = [key for key in easy if spoken(name).startswith(spoken(key))]
     return max(keys, key=len, default="")
+
+
+def _aimed(blocks, rng):
+    """Turn some bounds into targets, of which the printed number is just in or out of reach."""
+    for name in ("stiffness", "frequency"):
+        block = blocks.get(name)
+        if isinstance(block, dict) and "min" in block and rng.random() < 0.15:
+            number, unit = block["min"].split()
+            reach = float(10.0 ** rng.uniform(-2.0, -0.3))
+            # the bound was the number times (1 + near) or over it, which is the margin here too
+            target = float(float(number) * (1.0 + reach) ** rng.choice([-1.0, 1.0]))
+            blocks[name] = {"equals": f"{target!r} {unit}", "tolerance": reach}
 
 
 def _near(block, row, share):

@@ -64,7 +64,7 @@ from flexcli.results import ErrorRange, QuantityKind
 if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
-__all__ = ["SpaceExactModel", "beam_peaks", "section_peaks"]
+__all__ = ["SpaceExactModel", "beam_peaks", "beam_swings", "section_peaks"]
 
 Floats = NDArray[np.float64]
 
@@ -183,8 +183,15 @@ class SpaceExactModel(SpaceLinearModel):
         found: list[EndStress] = []
         for ends in self._loaded_ends(ask):
             first, last = (self.signed_stresses(state) for state in (ends[0], ends[-1]))
+            swings = self.swings(ends[0], ends[-1])
             for name, one in first.items():
                 amplitude, mean = np.abs(one - last[name]) / 2.0, (one + last[name]) / 2.0
+                if name in swings:
+                    # where shear leads, the sign of the normal stress tells nothing of its swing
+                    lost = swings[name] > amplitude
+                    most = np.maximum(np.abs(one), np.abs(last[name]))
+                    amplitude = np.minimum(swings[name], most)
+                    mean = np.where(lost, most - amplitude, np.copysign(most - amplitude, mean))
                 found.extend(
                     EndStress(name, float(amplitude[i]), float(mean[i]), 0.0, is_at_face=True)
                     for i in dict.fromkeys(map(int, worst_places(amplitude, mean)))
@@ -194,6 +201,10 @@ class SpaceExactModel(SpaceLinearModel):
     def signed_stresses(self, state: SpaceEquilibrium) -> dict[str, Floats]:
         """Return von Mises' stress at places of each blade, signed as the normal stress [Pa]."""
         return beam_peaks(blade_stresses(state))
+
+    def swings(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> dict[str, Floats]:
+        """Return half of von Mises' stress of what changes from one state to another [Pa]."""
+        return beam_swings(blade_stresses(first), blade_stresses(last))
 
     def largest_stress(self, state: SpaceEquilibrium) -> tuple[float, str]:
         """Return the largest stress of the blades [Pa], and the blade that has it."""
@@ -567,15 +578,47 @@ def beam_peaks(stresses: Sequence[BladeStress]) -> dict[str, Floats]:
     return {blade.name: section_peaks(blade).ravel() for blade in stresses}
 
 
+def beam_swings(first: Sequence[BladeStress], last: Sequence[BladeStress]) -> dict[str, Floats]:
+    """Return half of von Mises' stress of what changes in beams between two states [Pa].
+
+    The places are those of :func:`beam_peaks`; torsion and forces add up at each.
+    """
+    return {one.name: _swing(one, other).ravel() for one, other in zip(first, last, strict=True)}
+
+
+def _swing(one: BladeStress, other: BladeStress) -> Floats:
+    signed = (one.signed - other.signed) / 2.0
+    thin, wide, twisted, faces, sides = np.moveaxis(signed, -1, 0)
+    axial, corner = (one.axial - other.axial) / 2.0, (one.corner - other.corner) / 2.0
+    around = np.ones(corner.shape[1])
+    if len(around) == 2:  # a rod: around it bending is the largest somewhere, and so is shear
+        bent, pushed = np.hypot(thin, wide), np.hypot(faces, sides)
+        fibres = (one.fibres - other.fibres) / 2.0
+        normal = np.outer(np.abs(axial) + np.abs(fibres) + bent, around)
+        largest = np.abs(axial) + bent, np.abs(axial)
+        shears = np.zeros_like(bent), np.abs(twisted), np.abs(twisted) + pushed
+        normal = np.column_stack([normal, *np.repeat(largest, 2, axis=0)])
+    else:
+        turned = np.abs(twisted)
+        middles = axial - thin, axial + thin, axial + wide, axial - wide
+        shears = one.edge * turned, turned + np.abs(faces), turned + np.abs(sides)
+        normal = np.column_stack([corner, *middles])
+    columns = (around, np.ones(2), np.ones(2))
+    shear = [np.outer(tau, each) for tau, each in zip(shears, columns, strict=True)]
+    return equivalent(normal, np.concatenate(shear, axis=1))
+
+
 def section_peaks(blade: BladeStress) -> Floats:
     """Return von Mises' stress of each section of a beam, at its corners, faces and sides [Pa].
 
     It has the sign of the normal stress; the shape is (places, 8), for a rod (places, 6).
     """
-    ends = np.array([1.0, -1.0])
-    middles = [blade.axial[:, None] + np.outer(bent, ends)
-               for bent in (blade.bend_thin, blade.bend_wide)]  # fmt: skip
-    normal = np.concatenate([blade.corner, *middles], axis=1)
+    thin, wide = blade.signed[:, :2].T
+    if blade.corner.shape[1] == 2:  # a rod: its extremes, wherever around it they are
+        thin, wide = -blade.bend_thin, blade.bend_wide
+    axial = blade.axial
+    middles = axial - thin, axial + thin, axial + wide, axial - wide
+    normal = np.column_stack([blade.corner, *middles])
     corners, two = np.ones(blade.corner.shape[1]), np.ones(2)
     shear = np.concatenate(
         [

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_errors import shell_errors
-from flexcli.engine.joint_models.space_exact import SpaceExactModel, beam_peaks
+from flexcli.engine.joint_models.space_exact import SpaceExactModel, beam_peaks, beam_swings
 from flexcli.engine.joint_models.space_stroke import Blades, at_travel, driven_coordinate
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
@@ -84,6 +84,10 @@ class SpaceShellModel(SpaceExactModel):
             signed = np.where(blade.along < 0.0, -blade.equivalent, blade.equivalent)
             found[blade.name] = signed.ravel()
         return found
+
+    def swings(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> dict[str, Floats]:
+        """Return half of von Mises' stress of what changes in rods: shells keep their signs."""
+        return beam_swings(rod_stresses(first), rod_stresses(last))
 
     def warped(self, state: SpaceEquilibrium) -> float:
         """Return nothing: shells know how restrained warping spreads."""

@@ -49,7 +49,7 @@ class Fatigue(FactorRequirement):
                 f"fatigue needs the cycles of the stroke of case '{scene.case}'", "add cycles: 1e7"
             )
         try:
-            strength, where = material.reversed_amplitude(scene.cycles)
+            strength, where = material.reversed_amplitude(scene.cycles, self.mean_stress)
             name, stresses = ask.joint_model.stresses(ask)
             for stress in stresses:
                 method = self._method(stress, ask)

@@ -6,6 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import model_validator
 
+from flexcli.errors import SolveError
 from flexcli.parts.base import Part, QuantityOf, Ratio, spec_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.space_parts import Way
@@ -95,7 +96,12 @@ class MisalignmentStress(Requirement):
             raise RequirementError(f"there is no blade '{self.of}'", f"one of {', '.join(names)}")
         # what guides a body keeps it from turning in the plane
         kept = ((0.0, 0.0, 1.0),) if ask.geometry.is_guided else ()
-        found, where = largest_misfit_stress(joint, meant, self._motion, kept=kept)
+        try:
+            found, where = largest_misfit_stress(joint, meant, self._motion, kept=kept)
+        except SolveError as error:
+            raise RequirementError(
+                f"a {ask.geometry.name} has no stiffness: {error.text}", error.remedy
+            ) from error
         yield Limit(
             f"{self.label} {self.of}, {self._spoken}",
             "",

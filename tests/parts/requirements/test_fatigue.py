@@ -29,3 +29,25 @@ def test_a_load_that_may_compress_all_of_an_amplitude_leaves_a_range(model):
     (check,) = flexcli.verdicts(yaml.safe_dump(SPEC), model=model).checks
     assert check.verdict is not Verdict.FAIL
     assert check.factor_range is None or check.factor_range[0] > 0.0
+
+
+@pytest.mark.parametrize("method", ["goodman", "soderberg", "swt", "none"])
+def test_no_more_is_borne_at_the_stress_ratio_of_tests_than_they_found(method):
+    E, h, l, turn, found = 100e9, 1e-3, 50e-3, 0.02, 430e6
+    fatigue = {"value": f"{found} Pa", "cycles": 1e5, "stress_ratio": 0.1}
+    spec = {
+        "flexure": 1,
+        "material": {
+            "youngs_modulus": f"{E} Pa", "tensile_strength": "1100 MPa",
+            "yield_strength": "1000 MPa", "fatigue_amplitude": fatigue,
+        },
+        "geometry": {"kind": "moment-blade", "h": f"{h} m", "l": f"{l} m", "b": "1 mm"},
+        "stroke": {"rotation": [f"{0.1 * turn} rad", f"{turn} rad"], "cycles": 1e5},
+        "requirements": {"fatigue": {"factor": 2, "mean_stress": method}},
+    }  # fmt: skip
+    (check,) = flexcli.verdicts(yaml.safe_dump(spec), model="closed-form").checks
+    # pure bending, E h θ/2l: the same stress ratio whatever the load
+    borne = found / (0.45 * E * h * turn / 2.0 / l)
+    assert check.factor <= borne * (1.0 + 1e-6)
+    if method != "soderberg":
+        assert check.factor == pytest.approx(borne, rel=1e-6)

@@ -67,7 +67,9 @@ class BladeStress(NamedTuple):
     a rod the two extremes. ``shear`` is that of torsion at the faces, clamps excepted; ``edge`` is
     the share of it beside the corners: all but a thickness of the edge of a thin section. ``faces``
     and ``sides`` are the shear of the forces across the width, in the middle of the faces, and
-    across the thickness, in that of the sides; of a rod the latter is that of both.
+    across the thickness, in that of the sides; of a rod the latter is that of both. ``signed``
+    (places, 5) are bending across the thickness and the width, and these three shears, of a rod
+    its two bendings, that of torsion and those of its two forces, each with its sign.
     """
 
     name: str
@@ -82,6 +84,7 @@ class BladeStress(NamedTuple):
     edge: Floats
     faces: Floats
     sides: Floats
+    signed: Floats
 
 
 class SectionStates(NamedTuple):
@@ -224,6 +227,8 @@ def _of_section(
         bent = np.hypot(M_y, M_z) * blade.d / 2.0 / I
         fibres = long_fibres * E * tau**2 / 2.0 * (blade.d**2 / 4.0 - 2.0 * I / A)
         none = np.zeros_like(N)
+        bends = blade.d / 2.0 / I * np.array([M_z, M_y])
+        twisted_by, pushed = G * tau * blade.sheared, ROUND / A * np.array([at.V_y, at.V_z])
         return BladeStress(
             name=blade.name,
             s=s,
@@ -233,10 +238,11 @@ def _of_section(
             warping=none,
             fibres=fibres,
             corner=(N / A + fibres)[:, None] + bent[:, None] * np.array([1.0, -1.0]),
-            shear=np.abs(G * tau) * blade.sheared,
+            shear=np.abs(twisted_by),
             edge=none,  # its faces are all around
             faces=none,
             sides=ROUND * np.hypot(at.V_y, at.V_z) / A,
+            signed=np.stack([*bends, twisted_by, *pushed], axis=-1),
         )
     b = blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
@@ -247,6 +253,8 @@ def _of_section(
     axial = N / (b * h)
     y, z = np.array([1.0, 1.0, -1.0, -1.0]), np.array([1.0, -1.0, 1.0, -1.0])
     corner = (axial + fibres)[:, None] - thin[:, None] * y + wide[:, None] * z
+    shear = G * np.minimum(h, b) * ((shear_factor(h, b) - 0.5) * at.warps + 0.5 * tau)
+    across, along_y = shear_spread(blade) * at.V_z / (b * h), 1.5 * at.V_y / (b * h)
     return BladeStress(
         name=blade.name,
         s=s,
@@ -256,8 +264,9 @@ def _of_section(
         warping=np.abs(warped),
         fibres=fibres,
         corner=corner + warped[:, None] * y * z,
-        shear=G * np.minimum(h, b) * np.abs((shear_factor(h, b) - 0.5) * at.warps + 0.5 * tau),
+        shear=np.abs(shear),
         edge=1.0 - np.minimum(h, b) / np.maximum(h, b),
-        faces=shear_spread(blade) * np.abs(at.V_z) / (b * h),
-        sides=1.5 * np.abs(at.V_y) / (b * h),
+        faces=np.abs(across),
+        sides=np.abs(along_y),
+        signed=np.stack([thin, wide, shear, across, along_y], axis=-1),
     )
