@@ -37,7 +37,9 @@ from flexcli.results import ErrorRange
 if TYPE_CHECKING:
     from flexcli.mechanics.space.exact.stresses import SectionStates
 
-__all__ = ["AcrossStress", "across_stress", "acting_across", "changed_across", "leaving_plane"]
+__all__ = [
+    "ACROSS", "AcrossStress", "across_stress", "acting_across", "changed_across", "leaving_plane",
+]  # fmt: skip
 
 Floats = NDArray[np.float64]
 

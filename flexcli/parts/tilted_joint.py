@@ -21,9 +21,9 @@ from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.own_motion import own_angular
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
-from flexcli.parts.space_states import KNOWN, acting_groups, third_order
+from flexcli.parts.space_states import KNOWN, acting_groups, largest_stress, third_order
 from flexcli.parts.space_vibration import likely_structures
-from flexcli.parts.stress_across import leaving_plane
+from flexcli.parts.stress_across import ACROSS, leaving_plane
 
 __all__ = ["Tilt", "least_frequency", "moved_by_tilt", "tilt_of"]
 
@@ -51,8 +51,9 @@ class Tilt(NamedTuple):
 def tilt_of(geometry: Geometry, material: Material, sizes: Sizes, scene: Scene) -> Tilt:
     """Return what a tilt changes of a joint at the ends of a case's stroke, its loads acting.
 
-    The stress is that of the forces out of the plane, to second order: with that in the plane, as
-    if both were largest at one place, it is no less than all together. Without a Poisson's ratio
+    The stress is that of the forces out of the plane, to second order, and of what those in it are
+    more than in an upright joint: with that of the plane, as if all were largest at one place, it
+    is no less than all together. Without a Poisson's ratio
     that which makes most of it, 0 or ½.
     """
     each = [_of_joint(joint, scene) for joint in _joints(geometry, material, sizes)]
@@ -104,21 +105,41 @@ def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
     upright = SpaceJoint(_kept_upright(joint.layout))
     k, kept = (_driven(each) for each in (joint, upright))
     stresses, most, swings = Stresses(joint.assembly), 0.0, 0.0
-    loads = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
-    for ends in _ends(joint, scene, loads):
-        forces, more = [], 0.0
-        for state in ends:
+    groups = acting_groups(joint, scene)
+    loads, held = ([action(of.assembly, one) for one in groups] for of in (joint, upright))
+    cases = zip(_ends(joint, scene, loads), _ends(upright, scene, held), strict=True)
+    for ends, upright_ends in cases:
+        forces, beside, more = [], [], 0.0
+        for state, still in zip(ends, upright_ends, strict=True):
             after = state.following()
             borne = state.moved.forces[:, 0] + after.forces
             forces.append(borne + _twisting(joint, state, borne))
+            beside.append(_in_plane(joint, state.moved.forces[:, 0] - still.moved.forces[:, 0]))
             more = max(more, third_order(after))
         if more > KNOWN:
             return Tilt(k / kept, inf, inf)
         beyond = 1.0 + more + (LOADED if loads else BEYOND)
-        most = max(most, *(leaving_plane(stresses, each) * beyond for each in forces))
-        swing = leaving_plane(stresses, (forces[0] - forces[-1]) / 2.0)
-        swings = max(swings, swing * beyond)
+        pairs = zip(forces, beside, strict=True)
+        most = max(most, *(_stress(stresses, *both) * beyond for both in pairs))
+        out, within = ((each[0] - each[-1]) / 2.0 for each in (forces, beside))
+        swings = max(swings, _stress(stresses, out, within) * beyond)
     return Tilt(k / kept, most, swings)
+
+
+def _stress(stresses: Stresses, out: Floats, within: Floats) -> float:
+    """Return the stress of forces out of the plane and of others in it, where both are largest."""
+    bent = stresses.of(within, np.zeros((len(stresses.names), 3)))
+    return leaving_plane(stresses, out) + max(map(largest_stress, bent))
+
+
+def _in_plane(joint: SpaceJoint, forces: Floats) -> Floats:
+    """Return the part of blades' forces that is in the plane [N, N·m].
+
+    Of several pairs a tilt pulls and bends the blades at other heights than the middle one.
+    """
+    count = len(joint.assembly.members)
+    blades = forces[: 6 * count].reshape(-1, 6)
+    return np.asarray((blades * ~np.isin(np.arange(6), ACROSS)).ravel())
 
 
 def _twisting(joint: SpaceJoint, state: SpaceState, forces: Floats) -> Floats:

@@ -139,6 +139,23 @@ def test_a_force_in_the_plane_tilts_the_body_and_its_stress_counts_so(axis, colu
     assert check.verdict != "pass"
 
 
+@pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
+def test_a_tilt_pulls_the_outer_blades_of_two_pairs_more(model):
+    """Of two pairs that cross far off, a force along the bisector bends and pulls them apart."""
+    h, b, delta, degrees = 0.02e-3, 4e-3, -2.0 / 3.0, 22.0
+    turned = (degrees, -degrees, degrees, -degrees)
+    side, rows = star_frame(h, b, delta, turned, (-1.5 * b, -0.5 * b, 0.5 * b, 1.5 * b))
+    force = np.zeros(6)
+    force[0] = 1e-6
+    true = largest(rows, np.linalg.solve(side.K, force), h, b)
+    text = spec(
+        h, b, delta, degrees, {"wrench": {"x": "1e-6 N"}}, {"yield": {"factor": 1e-3}}, pairs=2
+    )
+    (told,) = flexcli.verdicts(text, model=model).checks
+    low, high = told.factor_range
+    assert 0.5 * 800e6 / true < low <= 800e6 / true <= high
+
+
 @pytest.mark.parametrize("ends", ["clamped-free", "clamped-guided"])
 @pytest.mark.parametrize("load", [{"load": {"force": "400 N", "direction": "180 deg"}},
                                   {"wrench": {"x": "-400 N"}}])  # fmt: skip
