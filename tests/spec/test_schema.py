@@ -49,7 +49,7 @@ BEYOND = {
         "is below smallest-gap", "stroke is zero", "does not move", "this sweep takes",
         "longer than the", "overlap", "nothing that moves",
         "this wrench is zero",
-        "this standard changes the shape", "the longer the arm",
+        "this standard changes the shape", "the longer the arm", "no isotropic plate has",
     ),
     "a bound that depends on the unit a number is written in": (
         r"must be below (1|90 deg|to_cycles)$", "would make energy",
