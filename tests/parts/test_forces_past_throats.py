@@ -52,9 +52,9 @@ def test_the_stress_of_a_force_across_the_throat_is_that_of_solids(geometry, mor
     assert nominal.factor > more * beams.factor
 
 
-@pytest.mark.parametrize(("b", "more"), [("1 mm", 1.08), ("5 mm", 1.06)])
+@pytest.mark.parametrize(("b", "more"), [("1 mm", 1.07), ("2 mm", 1.05)])
 def test_the_middle_of_wide_fillets_bears_more_of_a_force_across_as_of_a_moment(b, more):
-    slender = {"kind": "filleted-hinge", "h": "0.1 mm", "r": "0.2 mm", "l": "12.4 mm", "b": b}
+    slender = {"kind": "filleted-hinge", "h": "0.1 mm", "r": "0.2 mm", "l": "6.4 mm", "b": b}
     beams, solids = (
         checked(slender, {"y": "1 mN"}, {"yield": 1}, model, 0.3) for model in ("exact", "solid")
     )
