@@ -93,7 +93,7 @@ def fully_reversed_amplitude(
     Dowling, N. E. (2013), Mechanical Behavior of Materials, 4th ed., section 9.7.
 
     """
-    mean = amplitude * (1.0 + stress_ratio) / (1.0 - stress_ratio)
+    mean = _mean_at(amplitude, stress_ratio)
     if mean >= tensile_strength:
         raise ValueError("the mean stress of this fatigue strength reaches the tensile strength")
     return amplitude / (1.0 - mean / tensile_strength)
@@ -123,7 +123,12 @@ def swt_reversed_amplitude(amplitude: float, stress_ratio: float) -> float:
     Dowling, N. E. (2013), Mechanical Behavior of Materials, 4th ed., section 9.7.
 
     """
-    return float(amplitude * (2.0 / (1.0 - stress_ratio)) ** 0.5)
+    mean = _mean_at(amplitude, stress_ratio)
+    return float(np.sqrt(swt_amplitude_squared(amplitude=amplitude, mean=mean)))
+
+
+def _mean_at(amplitude: float, stress_ratio: float) -> float:
+    return amplitude * (1.0 + stress_ratio) / (1.0 - stress_ratio)
 
 
 def goodman_amplitude(
