@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.profile import Constant, Piece, Profile
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
-from flexcli.mechanics.space.swept_box import Edges
+from flexcli.mechanics.space.swept_box import Edges, steps_along
 from flexcli.numerics.collocation import gauss_nodes, integration_matrix, integration_to
 
 __all__ = ["Ends", "bent_line"]
@@ -135,9 +135,7 @@ def _shapes(profile: Profile, l: float, power: int) -> _Shapes:
         turned, there = slope + inside @ rate, slope + onto @ rate
         went = place + onto @ (turned * ds[:, None])
         h = np.broadcast_to(piece.thickness(PLACES), PLACES.shape)
-        step = np.append(np.diff(s), 0.0)
-        step = np.maximum(step, np.append(0.0, step[:-1]))
-        rows.append(np.column_stack([s, h, step, went, there, bends[1]]))
+        rows.append(np.column_stack([s, h, steps_along(s[:, None]), went, there, bends[1]]))
         slope, place, last = there[-1], went[-1], float(s[-1])
     place = place + slope * (l - last)
     rows.append(np.array([[l, thin, 0.0, *place, *slope, 0.0, 0.0]]))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, SpaceStar
 
-__all__ = ["Edges", "Sweep", "SweptBox", "edges_of", "swept_box"]
+__all__ = ["Edges", "Sweep", "SweptBox", "edges_of", "steps_along", "swept_box"]
 
 Floats = NDArray[np.float64]
 
@@ -60,6 +60,12 @@ class Edges(NamedTuple):
     h: Floats
     kappa: Floats
     steps: Floats
+
+
+def steps_along(line: Floats) -> Floats:
+    """Return how far each place of a line (places, axes) is from those beside it, at most [m]."""
+    between = np.linalg.norm(np.diff(line, axis=0), axis=-1)
+    return np.asarray(np.maximum(np.append(between, 0.0), np.append(0.0, between)))
 
 
 def swept_box(sweeps: Iterable[Sweep]) -> SweptBox:

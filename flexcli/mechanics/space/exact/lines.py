@@ -7,7 +7,7 @@ from flexcli.mechanics.space.exact.blade import along
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import beams_of_state
 from flexcli.mechanics.space.layout import seats_grown
-from flexcli.mechanics.space.swept_box import Edges
+from flexcli.mechanics.space.swept_box import Edges, steps_along
 from flexcli.numerics.collocation import gauss_nodes, integration_to, interpolation_matrix
 
 __all__ = ["lines_of"]
@@ -53,9 +53,8 @@ def lines_of(state: SpaceEquilibrium) -> list[Edges]:
             sections.append(np.concatenate([line[:, None], R], axis=1))
             h = np.maximum(to_nodes @ mesh.h[i, own], thin)
             # sections stand still where pieces of a notch begin
-            step = np.linalg.norm(np.diff(line, axis=0), axis=1)
-            step = np.maximum(np.append(step, 0.0), np.append(0.0, step))
-            rest.append(np.column_stack([h, np.abs(to_nodes @ bent[i, own]) / l, step]))
+            bends = np.abs(to_nodes @ bent[i, own]) / l
+            rest.append(np.column_stack([h, bends, steps_along(line)]))
         line, x, y, z = np.moveaxis(np.concatenate(sections), 1, 0)
         h, kappa, step = np.concatenate(rest).T
         found.append(Edges(line, x, y, z, h, kappa, step))
