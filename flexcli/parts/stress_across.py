@@ -38,7 +38,8 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.exact.stresses import SectionStates
 
 __all__ = [
-    "ACROSS", "AcrossStress", "across_stress", "acting_across", "changed_across", "leaving_plane",
+    "ACROSS", "WITHIN", "AcrossStress", "across_stress", "acting_across", "borne_stress",
+    "changed_across",
 ]  # fmt: skip
 
 Floats = NDArray[np.float64]
@@ -59,9 +60,11 @@ used [rad]."""
 SMALL = 1e-3
 """Share of loads that moves hinges by so little that twice as much moves them twice as far."""
 
-ACROSS, MANY = (2, 3, 4), 6
-"""Springs of a blade that loads out of its plane strain, and the number of kinds of them in a joint
-up to which each is varied alone."""
+ACROSS, WITHIN = (2, 3, 4), (0, 1, 5)
+"""Springs of a blade that loads out of its plane strain, and those of loads in it."""
+
+MANY = 6
+"""Kinds of springs in a joint up to which each is varied alone."""
 
 
 NEGLIGIBLE = 1e-3
@@ -211,15 +214,15 @@ def _leaves_plane(joint: SpaceJoint, scene: Scene, stresses: Stresses, rest: flo
     beside = [i for i in range(6) if i not in scene.across]
     acting = [_along(each, beside) for each in acting_groups(joint, scene)]
     states = (action(joint.assembly, each) for each in acting)
-    most = sum(leaving_plane(stresses, state.moved.forces[:, 0]) for state in states)
+    most = sum(borne_stress(stresses, state.moved.forces[:, 0], ACROSS) for state in states)
     return most > NEGLIGIBLE * rest
 
 
-def leaving_plane(stresses: Stresses, forces: Floats) -> float:
-    """Return the largest stress of those forces of blades that are out of the plane [Pa]."""
+def borne_stress(stresses: Stresses, forces: Floats, springs: Sequence[int]) -> float:
+    """Return the largest stress of what some springs of each blade bear of its forces [Pa]."""
     count = len(stresses.names)
-    out = forces[: 6 * count].reshape(-1, 6) * np.isin(np.arange(6), ACROSS)
-    return max(map(largest_stress, stresses.of(out.ravel(), np.zeros((count, 3)))))
+    borne = forces[: 6 * count].reshape(-1, 6) * np.isin(np.arange(6), springs)
+    return max(map(largest_stress, stresses.of(borne.ravel(), np.zeros((count, 3)))))
 
 
 def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:

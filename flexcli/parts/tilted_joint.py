@@ -21,9 +21,9 @@ from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.own_motion import own_angular
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
-from flexcli.parts.space_states import KNOWN, acting_groups, largest_stress, third_order
+from flexcli.parts.space_states import KNOWN, acting_groups, third_order
 from flexcli.parts.space_vibration import likely_structures
-from flexcli.parts.stress_across import ACROSS, leaving_plane
+from flexcli.parts.stress_across import ACROSS, WITHIN, borne_stress
 
 __all__ = ["Tilt", "least_frequency", "moved_by_tilt", "tilt_of"]
 
@@ -114,7 +114,7 @@ def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
             after = state.following()
             borne = state.moved.forces[:, 0] + after.forces
             forces.append(borne + _twisting(joint, state, borne))
-            beside.append(_in_plane(joint, state.moved.forces[:, 0] - still.moved.forces[:, 0]))
+            beside.append(state.moved.forces[:, 0] - still.moved.forces[:, 0])
             more = max(more, third_order(after))
         if more > KNOWN:
             return Tilt(k / kept, inf, inf)
@@ -127,19 +127,11 @@ def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
 
 
 def _stress(stresses: Stresses, out: Floats, within: Floats) -> float:
-    """Return the stress of forces out of the plane and of others in it, where both are largest."""
-    bent = stresses.of(within, np.zeros((len(stresses.names), 3)))
-    return leaving_plane(stresses, out) + max(map(largest_stress, bent))
-
-
-def _in_plane(joint: SpaceJoint, forces: Floats) -> Floats:
-    """Return the part of blades' forces that is in the plane [N, N·m].
+    """Return the stress of forces out of the plane and of others in it, where both are largest.
 
     Of several pairs a tilt pulls and bends the blades at other heights than the middle one.
     """
-    count = len(joint.assembly.members)
-    blades = forces[: 6 * count].reshape(-1, 6)
-    return np.asarray((blades * ~np.isin(np.arange(6), ACROSS)).ravel())
+    return borne_stress(stresses, out, ACROSS) + borne_stress(stresses, within, WITHIN)
 
 
 def _twisting(joint: SpaceJoint, state: SpaceState, forces: Floats) -> Floats:
