@@ -209,7 +209,7 @@ class ExactWithSolids(ExactModel):
         if ask.scene.temperature is not None or ask.scene.on_bodies:
             raise NotAvailable("has no solid at a temperature, or among several joints")
         beam, off, found = super()._settled_stiffness(ask)[0], 0.0, list[_Worst]()
-        borne = self._wrenches(ask, beam)
+        borne, higher = self._wrenches(ask, beam), _of_larger_bodies(ask)
         for solid in self._solids(ask)[1]:
             fine, coarse = (self._worst(ask, solid, borne, orders) for orders in (FINE, COARSE))
             if fine.largest == 0.0:
@@ -220,7 +220,7 @@ class ExactWithSolids(ExactModel):
             if ask.scene.moves:
                 swing = np.abs(borne.wrenches[::2] - borne.wrenches[1::2]).max(axis=0) / 2.0
             each = (fine.largest, coarse.largest, whole), (fine.amplitude, coarse.amplitude, swing)
-            unsure, higher = zip(borne.unsure, borne.shares, strict=True), _of_larger_bodies(ask)
+            unsure = zip(borne.unsure, borne.shares, strict=True)
             for (one, other, wrench), (own, share) in zip(each, unsure, strict=True):
                 if one > FEWEST * fine.largest:
                     meshed = max(abs(one - other), _meshed(solid, wrench))

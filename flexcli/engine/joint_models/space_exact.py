@@ -603,9 +603,7 @@ def _swing(one: BladeStress, other: BladeStress) -> Floats:
         middles = axial - thin, axial + thin, axial + wide, axial - wide
         shears = one.edge * turned, turned + np.abs(faces), turned + np.abs(sides)
         normal = np.column_stack([corner, *middles])
-    columns = (around, np.ones(2), np.ones(2))
-    shear = [np.outer(tau, each) for tau, each in zip(shears, columns, strict=True)]
-    return equivalent(normal, np.concatenate(shear, axis=1))
+    return _around(normal, *shears)
 
 
 def section_peaks(blade: BladeStress) -> Floats:
@@ -619,13 +617,13 @@ def section_peaks(blade: BladeStress) -> Floats:
     axial = blade.axial
     middles = axial - thin, axial + thin, axial + wide, axial - wide
     normal = np.column_stack([blade.corner, *middles])
-    corners, two = np.ones(blade.corner.shape[1]), np.ones(2)
-    shear = np.concatenate(
-        [
-            np.outer(blade.edge * blade.shear, corners),
-            np.outer(blade.shear + blade.faces, two),
-            np.outer(blade.shear + blade.sides, two),
-        ],
-        axis=1,
-    )
-    return np.asarray(np.copysign(equivalent(normal, shear), normal))
+    turned = blade.shear
+    whole = _around(normal, blade.edge * turned, turned + blade.faces, turned + blade.sides)
+    return np.asarray(np.copysign(whole, normal))
+
+
+def _around(normal: Floats, corner: Floats, face: Floats, side: Floats) -> Floats:
+    """Return von Mises' stress around sections: at corners, both faces, and both sides [Pa]."""
+    columns = (corner, normal.shape[1] - 4), (face, 2), (side, 2)
+    shear = [np.outer(tau, np.ones(count)) for tau, count in columns]
+    return equivalent(normal, np.concatenate(shear, axis=1))
