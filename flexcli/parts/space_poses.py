@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.exact.rotation import moved
-from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod, Vector
+from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod, vector
 from flexcli.mechanics.space.states import Acting, SpaceState, action, combined
 from flexcli.numerics.interpolation import lagrange
 from flexcli.parts.scene import Scene
@@ -29,10 +29,10 @@ __all__ = [
     "is_flat",
     "origins",
     "poses",
+    "rows_of",
     "shifted_by_stretch",
     "still",
     "turned",
-    "vector_of",
 ]
 
 Floats = NDArray[np.float64]
@@ -133,7 +133,7 @@ def poses(joint: SpaceJoint, scene: Scene, travels: Floats, loads: SpaceState | 
     after = [state.following() for state in states]
     onto, to = lagrange(knots, travels), origins(joint)
     one, two = (
-        np.tensordot(onto, np.array([_rows(joint) @ each for each in columns]), axes=1)
+        np.tensordot(onto, np.array([rows_of(joint) @ each for each in columns]), axes=1)
         for columns in ([s.moved.coordinates[:, 0] for s in states], [a.coordinates for a in after])
     )
     # the coordinates are those of the drive's point, about which the origin turns
@@ -159,7 +159,7 @@ def poses(joint: SpaceJoint, scene: Scene, travels: Floats, loads: SpaceState | 
     further = further + (third + springs + buckling / (1.0 - buckling)) * np.abs(two)
     for state, share in changes:
         root = joint.assembly.compliance_root(locked=state is unit)
-        reach = np.linalg.norm(_rows(joint) @ root.T, axis=-1)  # (bodies, 6)
+        reach = np.linalg.norm(rows_of(joint) @ root.T, axis=-1)  # (bodies, 6)
         energy = float(state.moved.forces[:, 0] @ state.moved.deformations[:, 0])
         size = np.abs(travels) if state is unit else np.ones(len(travels))
         further = further + share * np.sqrt(max(energy, 0.0)) * size[:, None, None] * reach
@@ -201,12 +201,12 @@ def shifted_by_stretch(joint: SpaceJoint, scene: Scene, stretch: Floats) -> Floa
     misfits[6 * np.arange(len(stretch)), np.arange(len(stretch))] = stretch
     travel = np.zeros(len(stretch)) if scene.moves else None
     gone = joint.assembly.moved(misfits=misfits, travel=travel).coordinates
-    return np.asarray(np.abs(_rows(joint) @ gone).sum(axis=-1))
+    return np.asarray(np.abs(rows_of(joint) @ gone).sum(axis=-1))
 
 
-def _rows(joint: SpaceJoint) -> Floats:
+def rows_of(joint: SpaceJoint) -> Floats:
     """Return the motions of the bodies at their origins per coordinate (bodies, 6, coordinates)."""
-    each = zip(joint.layout.bodies, map(vector_of, origins(joint)), strict=True)
+    each = zip(joint.layout.bodies, map(vector, origins(joint)), strict=True)
     return np.array([joint.assembly.motion(body.name, point) for body, point in each])
 
 
@@ -215,12 +215,6 @@ def turned(phi: Floats, points: Floats) -> Floats:
     half = np.linalg.norm(phi, axis=-1, keepdims=True) / 2.0
     q = np.concatenate([np.cos(half), phi / 2.0 * np.sinc(half / np.pi)], axis=-1)
     return np.asarray(points + moved(q, points))
-
-
-def vector_of(point: Floats) -> Vector:
-    """Return a point (3,) as layouts take it."""
-    x, y, z = map(float, point)
-    return x, y, z
 
 
 def _unit(joint: SpaceJoint) -> SpaceState:

@@ -3,16 +3,13 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from flexcli.mechanics.space.inertia import blade_masses
-from flexcli.mechanics.space.layout import SpaceLoad, Vector
+from flexcli.mechanics.space.layout import SpaceLoad, vector
 from flexcli.mechanics.space.states import Acting
 from flexcli.parts.space_joint import SpaceJoint
 
 __all__ = ["loads_of", "signed"]
-
-Floats = NDArray[np.float64]
 
 
 def loads_of(joint: SpaceJoint, acting: Acting) -> list[SpaceLoad]:
@@ -22,7 +19,7 @@ def loads_of(joint: SpaceJoint, acting: Acting) -> list[SpaceLoad]:
     """
     layout, found = joint.layout, list[SpaceLoad]()
     if np.any(acting.wrench):
-        force, moment = _times(1.0, acting.wrench[:3]), _times(1.0, acting.wrench[3:])
+        force, moment = vector(acting.wrench[:3]), vector(acting.wrench[3:])
         found.append(SpaceLoad(layout.drive.body, acting.point, force, moment))
     if np.any(acting.acceleration):
         moving = {body.name for body in layout.bodies}
@@ -31,7 +28,7 @@ def loads_of(joint: SpaceJoint, acting: Acting) -> list[SpaceLoad]:
             ends = ((blade.first, blade.start), (blade.second, blade.end))
             weighing += [(name, at, float(mass) / 2.0) for name, at in ends if name in moving]
         found += [
-            SpaceLoad(name, at, _times(mass, acting.acceleration))
+            SpaceLoad(name, at, vector(mass * acting.acceleration))
             for name, at, mass in weighing
             if mass > 0.0
         ]
@@ -42,9 +39,4 @@ def signed(groups: Iterable[Sequence[SpaceLoad]], signs: Iterable[float]) -> Ite
     """Yield groups of loads, each in its sense."""
     for sign, group in zip(signs, groups, strict=True):
         for load in group:
-            yield load._replace(force=_times(sign, load.force), moment=_times(sign, load.moment))
-
-
-def _times(factor: float, vector: Sequence[float] | Floats) -> Vector:
-    x, y, z = (factor * float(each) for each in vector)
-    return x, y, z
+            yield load.times(sign)

@@ -6,7 +6,7 @@ import numpy as np
 
 from flexcli.engine.joint_models.space_errors import AT_STROKE
 from flexcli.formulas.profile import Constant
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceBody, SpaceLayout, Vector
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceBody, SpaceLayout, Vector, vector
 from flexcli.mechanics.space.springs import SPREAD, WARPED, springs_of
 
 __all__ = ["hinge_alone_off", "with_soft_blocks"]
@@ -29,7 +29,7 @@ def with_soft_blocks(layout: SpaceLayout) -> SpaceLayout | None:
         bodies += [SpaceBody(near, places[1], places[1]), SpaceBody(far, places[2], places[2])]
         bar = replace(blade, profile=Constant(H), blocks=(0.0, 0.0))
         if blade.b < H:  # a strip is no thicker than wide
-            bar = replace(bar, profile=Constant(blade.b), b=H, width=_as_vector(blade.axes[1]))
+            bar = replace(bar, profile=Constant(blade.b), b=H, width=vector(blade.axes[1]))
         blades += [
             replace(bar, name=near, second=near, start=places[0], end=places[1]),
             replace(blade, first=near, second=far, blocks=(0.0, 0.0)),
@@ -50,8 +50,4 @@ def hinge_alone_off(layout: SpaceLayout) -> float:
 
 
 def _moved(place: Vector, by: np.ndarray) -> Vector:
-    return _as_vector(np.add(place, by))
-
-
-def _as_vector(x: np.ndarray) -> Vector:
-    return (float(x[0]), float(x[1]), float(x[2]))
+    return vector(np.add(place, by))

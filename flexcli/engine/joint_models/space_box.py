@@ -17,6 +17,7 @@ from flexcli.engine.joint_models.space_stroke import Loads, at_travel, driven_co
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.lines import lines_of
+from flexcli.mechanics.space.layout import SpaceLoad, vector
 from flexcli.mechanics.space.states import Acting, action, combined, warmed
 from flexcli.mechanics.space.swept_box import Edges, Sweep, SweptBox, swept_box
 from flexcli.numerics.interpolation import lagrange
@@ -32,9 +33,9 @@ from flexcli.parts.space_poses import (
     is_flat,
     origins,
     poses,
+    rows_of,
     shifted_by_stretch,
     still,
-    vector_of,
 )
 from flexcli.parts.space_states import acting_groups, bent_by_gradient
 
@@ -93,19 +94,24 @@ def exact_box(ask: Ask) -> tuple[SweptBox, tuple[str, ...]]:
         states = [at_travel(ask, float(travel), warm=False) for travel in at]
         return _spread(_of_states(ask, _joint(ask, warm=False), states), known, travels)
 
-    def loaded(share: float, signs: Sequence[float]) -> Sweep:
+    @cache
+    def acting() -> tuple[SpaceJoint, list[list[SpaceLoad]], Floats, Floats]:
         joint = _joint(ask)
         groups = acting_groups(joint, scene)
-        each = [loads_of(joint, acting) for acting in groups]
+        halves = np.array(sum(_off_by_halves(joint, each) for each in groups))
+        sags = np.array(sum(own_sags(joint, each.acceleration) for each in groups))
+        return joint, [loads_of(joint, each) for each in groups], halves, sags
+
+    def loaded(share: float, signs: Sequence[float]) -> Sweep:
+        joint, each, halves, sags = acting()
         loads = tuple(signed(each, [share * sign for sign in signs]))
         if scene.moves:
             sag = _sag(ask, loads)
             states = [at_travel(ask, float(t) + sag, loads=loads) for t in known]
         else:
             states = [at_travel(ask, None, loads=loads)]
-        halves = sum(share * _off_by_halves(joint, acting) for acting in groups)
-        sags = sum(share * own_sags(joint, acting.acceleration) for acting in groups)
-        found = _spread(_of_states(ask, joint, states, halves, sags), known, travels)
+        told = _of_states(ask, joint, states, share * halves, share * sags)
+        found = _spread(told, known, travels)
         # what loads move is as unsure as what bears them
         supports = [error.support for error in map(beam_errors, states) if error is not None]
         soft = max(supports, default=0.0)
@@ -200,9 +206,7 @@ def _of_states(
 ) -> Sweep:
     """Return the sweep of equilibria; ``halves`` (bodies, 6) is how far off they are besides."""
     layout, scene = joint.layout, ask.scene
-    told = [
-        (body.name, vector_of(p)) for body, p in zip(layout.bodies, origins(joint), strict=True)
-    ]
+    told = [(b.name, vector(p)) for b, p in zip(layout.bodies, origins(joint), strict=True)]
     motion = np.array([[state.motion_of(*each) for each in told] for state in states])
     # where the drive is, is told by what holds it, or bears the loads
     driven = [state.coordinates.ravel()[driven_coordinate(layout)] for state in states]
@@ -236,9 +240,8 @@ def _sag(ask: Ask, loads: Loads) -> float:
 
 def _off_by_halves(joint: SpaceJoint, acting: Acting) -> Floats:
     """Return how far off bodies are whose blades weigh by halves on them (bodies, 6) [m, rad]."""
-    assembly, layout = joint.assembly, joint.layout
+    assembly = joint.assembly
     pull = sum((assembly.load(load) for load in loads_of(joint, acting)), np.zeros(assembly.size))
     halves = assembly.moved(pull[:, None]).coordinates
     off = (action(assembly, acting).moved.coordinates - halves)[:, 0]
-    to = zip(layout.bodies, map(vector_of, origins(joint)), strict=True)
-    return np.array([np.abs(assembly.motion(body.name, point) @ off) for body, point in to])
+    return np.asarray(np.abs(rows_of(joint) @ off))

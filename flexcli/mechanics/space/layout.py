@@ -39,6 +39,7 @@ __all__ = [
     "along",
     "grown_ends",
     "seats_grown",
+    "vector",
     "without",
 ]
 
@@ -312,6 +313,11 @@ class SpaceLoad(NamedTuple):
     force: Vector = (0.0, 0.0, 0.0)
     moment: Vector = (0.0, 0.0, 0.0)
 
+    def times(self, factor: float) -> "SpaceLoad":
+        """Return a multiple of the load at its point."""
+        force, moment = (vector(factor * np.asarray(each)) for each in (self.force, self.moment))
+        return self._replace(force=force, moment=moment)
+
 
 class Drive(NamedTuple):
     """The one motion that a stroke asks of a body: along, or about, a unit ``direction``.
@@ -398,3 +404,9 @@ def along(start: Vector, end: Vector) -> Floats:
     """Return the unit vector from one point to another [-]."""
     r = np.subtract(end, start)
     return np.asarray(r / np.linalg.norm(r))
+
+
+def vector(values: Floats) -> Vector:
+    """Return coordinates or components (3,) as layouts take them."""
+    x, y, z = map(float, values)
+    return x, y, z

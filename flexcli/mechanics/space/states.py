@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.space.freedoms import misfit
 from flexcli.mechanics.space.inertia import blade_masses, mass_matrix, weight_along
-from flexcli.mechanics.space.layout import SpaceLoad, Vector
+from flexcli.mechanics.space.layout import SpaceLoad, Vector, vector
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.mechanics.space.second_order import MissedSeat, SecondOrder, second_order
 from flexcli.mechanics.space.stresses import StressRows, equivalent, stress_rows
@@ -114,7 +114,7 @@ def action(assembly: SpaceAssembly, acting: Acting) -> SpaceState:
     """
     locked = acting.travel != 0.0
     body = assembly.layout.drive.body
-    load = SpaceLoad(body, acting.point, _vector(acting.wrench[:3]), _vector(acting.wrench[3:]))
+    load = SpaceLoad(body, acting.point, vector(acting.wrench[:3]), vector(acting.wrench[3:]))
     pull = assembly.load(load)
     weights = np.zeros((len(assembly.members), 3))
     loads = [load] if np.any(acting.wrench) else []
@@ -124,7 +124,7 @@ def action(assembly: SpaceAssembly, acting: Acting) -> SpaceState:
         for k, member in enumerate(assembly.members):
             weights[k] = member.axes @ acting.acceleration * masses[k] / member.l
         loads += [
-            SpaceLoad(each.name, each.com, _vector(each.mass * acting.acceleration))
+            SpaceLoad(each.name, each.com, vector(each.mass * acting.acceleration))
             for each in assembly.layout.bodies
             if each.mass
         ]
@@ -159,7 +159,7 @@ def misfitted(
         state.moved.drive + turned.drive @ held,
     )
     loads = tuple(
-        load._replace(moment=_vector(m * np.asarray(load.moment)))
+        load._replace(moment=vector(m * np.asarray(load.moment)))
         for load, m in zip(unit, held[:, 0], strict=True)
     )
     return replace(state, moved=moved, loads=loads)
@@ -179,19 +179,8 @@ def combined(states: list[SpaceState], shares: list[float]) -> SpaceState:
     each = list(zip(states, shares, strict=True))
     columns = zip(*(state.moved for state in states), strict=True)
     moved = Moved(*(np.tensordot(shares, parts, axes=1) for parts in columns))
-    loads = tuple(
-        load._replace(
-            force=_vector(s * np.asarray(load.force)), moment=_vector(s * np.asarray(load.moment))
-        )
-        for state, s in each
-        for load in state.loads
-    )
+    loads = tuple(load.times(s) for state, s in each for load in state.loads)
     weights = np.asarray(sum(s * state.weights for state, s in each))
     locked = any(state.locked for state in states)
     warmth = sum(s * state.warmth for state, s in each)
     return SpaceState(first.assembly, moved, weights, loads, locked, warmth)
-
-
-def _vector(values: Floats) -> Vector:
-    x, y, z = map(float, values)
-    return x, y, z
