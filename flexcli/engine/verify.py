@@ -8,7 +8,7 @@ import numpy as np
 
 from flexcli.engine.models import NamedModel, model_series
 from flexcli.engine.solid import calculix
-from flexcli.engine.solid.deck import Deck, softness
+from flexcli.engine.solid.deck import Deck, rounding, softness
 from flexcli.engine.solid.numbers import (
     SolidNumbers,
     whole_model,
@@ -18,6 +18,7 @@ from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
+from flexcli.parts.geometries.notch import Blocks
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.results import (
@@ -75,6 +76,7 @@ def verify(
     """
     begun = perf_counter()
     design, notes = _between_rigid_clamps(design, sizes)
+    design = _with_all_effects(design, notes)
     named = model_series(design, model)[-1]
     asks = _asks(design, sizes, named)
     try:
@@ -89,8 +91,8 @@ def verify(
     elif any(scene.moves or scene.temperature is not None for scene in design.scenes()):
         text = "a mechanism in space is compared at rest and at assembly alone"
         notes.append(Note("at-rest", text))
-    runs, soft = run and calculix.is_installed(), softness(whole[-1])
-    bench = _Bench(runs, meshes, {} if files is None else files, soft)
+    runs, own = run and calculix.is_installed(), softness(whole[-1]) + rounding(whole[-1])
+    bench = _Bench(runs, meshes, {} if files is None else files, own)
     wanted = _named(list(comparisons(asks, _asks_at_stroke(design))), only)
     rows = tuple(bench.row(comparison) for comparison in wanted)
     if not bench.runs:
@@ -149,6 +151,10 @@ def _asks(design: DesignSpec, sizes: Sizes, model: NamedModel) -> list[CaseAsks]
 def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec, list[Note]]:
     """Return a design whose clamps are rigid, as those of the solids, and what to say of it."""
     geometry = design.geometry
+    if getattr(geometry, "blocks", None) is not None:
+        text = "hinges are compared between rigid bodies at their mouths, without their blocks"
+        bare = geometry.model_copy(update={"blocks": Blocks.model_validate("0 mm")})
+        return design.model_copy(update={"geometry": bare}), [Note("rigid-clamps", text)]
     if geometry.compliant_clamps(sizes, design.material.elastic.nu or 0.0) is None:
         return design, []
     if "clamps" not in type(geometry).model_fields:
@@ -160,6 +166,17 @@ def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec,
     text = "blades are compared between rigid clamps, without the compliance of their bodies"
     rigid = geometry.model_copy(update={"clamps": "rigid"})
     return design.model_copy(update={"geometry": rigid}), [Note("rigid-clamps", text)]
+
+
+def _with_all_effects(design: DesignSpec, notes: list[Note]) -> DesignSpec:
+    """Return a design with the effects that its spec switches off, and note them."""
+    off = sorted(key for key, wish in design.effects.items() if wish == "off")
+    if not off:
+        return design
+    text = f"solids have what the spec switches off: compared with {', '.join(off)}"
+    notes.append(Note("all-effects", text))
+    kept = {key: wish for key, wish in design.effects.items() if key not in off}
+    return design.model_copy(update={"effects": kept})
 
 
 def _named(wanted: list[Comparison], only: Sequence[str]) -> list[Comparison]:
@@ -199,7 +216,8 @@ class _Bench:
     runs: bool
     meshes: int
     files: MutableMapping[str, str]
-    softness: float
+    own: float
+    """Error of solids that no finer mesh tells."""
     decks: dict[str, None] = field(default_factory=dict)
     seconds: float = 0.0
     known: dict[str, calculix.Printed] = field(default_factory=dict)
@@ -237,9 +255,11 @@ class _Bench:
         own = None
         if solid is not None and self.meshes > 1 and solid != 0.0:
             try:
-                own = abs(found[-2] / solid - 1.0) + comparison.error() + self.softness
+                own = abs(found[-2] / solid - 1.0) + comparison.error() + self.own
             except NotAvailable as wrong:
                 why = f"what solids leave out: {wrong}"
+            if own is not None and own >= 1.0:
+                own, why = None, "its meshes, or rounding, leave no digit of it"
         return VerifiedNumber(
             comparison.name, comparison.label, comparison.unit, comparison.case, ours, error,
             solid, own, f"{comparison.deck}-mesh-{self.meshes}", comparison.read,
@@ -277,4 +297,5 @@ def _doubted(comparison: Comparison, error: ErrorRange) -> ErrorRange | None:
         and comparison.directs()
         and joint_in_space(ask.geometry, ask.material, ask.sizes).is_directed
     )
-    return ask.material.doubted(error, comparison.kind, is_directed=directed)
+    thick = ask.material.off_as_thick(comparison.kind, ask.geometry, ask.sizes, ask.scene)
+    return ask.material.doubted(error, comparison.kind, is_directed=directed, thick=thick)

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 from dataclasses import replace
-from math import atan2, cos, hypot, sin
-from typing import Annotated, Any, Literal, NamedTuple
+from math import atan2, cos, hypot, sin, sqrt
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from flexcli.formulas.anisotropy import (
     cubic_stiffness,
     orthotropic_stiffness,
     plate_anisotropy,
+    sheared_in_plane,
     strip_constants,
     turned_stiffness,
 )
@@ -21,10 +22,27 @@ from flexcli.formulas.card import outside
 from flexcli.formulas.clamped_blade import NARROWER, Across
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceLayout, SpaceRod
+from flexcli.numerics.quadrature import gauss_rule
+from flexcli.numerics.rows import number
 from flexcli.parts.base import Angle, Part, QuantityOf, Stress, spec_error
 from flexcli.parts.sourced import WithSource
 
-__all__ = ["Blades", "Crystal", "Orientation", "Orthotropic", "blades_of", "laid", "stiffness_in"]
+if TYPE_CHECKING:
+    from flexcli.mechanics.layout import Layout
+
+__all__ = [
+    "Blades",
+    "Crystal",
+    "Orientation",
+    "Orthotropic",
+    "blades_of",
+    "laid",
+    "stiffness_in",
+    "thickness_of",
+]
+
+NODES = 40
+"""Gauss nodes on a piece of a blade."""
 
 Floats = NDArray[np.float64]
 
@@ -128,6 +146,8 @@ class Blades(NamedTuple):
 
     ``E`` [Pa] and ``nu`` stand for all; ``spread`` is the relative error of a stiffness with them,
     ``sheared`` the further one of torsion and shear, ``uneven`` whether blades differ.
+    ``thick`` are further errors over (h/l)² and over h/l; ``skewed`` is by how much a shear stress
+    stretches a blade, over what as much along it does.
     """
 
     E: float
@@ -135,6 +155,8 @@ class Blades(NamedTuple):
     spread: float
     sheared: float
     uneven: bool
+    thick: tuple[float, float]
+    skewed: float
 
 
 def blades_of(
@@ -156,7 +178,10 @@ def blades_of(
     uneven = (max(moduli) - min(moduli)) / (2.0 * E)
     rough = wide * max(plate_anisotropy(strip) for strip in each)
     sheared = max(abs(s.G_wide * 2.0 * (1.0 + first.nu) / E - 1.0) for s in each)
-    return Blades(E, first.nu, uneven + rough, sheared, uneven > ALIKE)
+    squares, firsts = zip(*map(sheared_in_plane, each), strict=True)
+    thick = max(squares), max(firsts)
+    skewed = max(sqrt(strip.skews * strip.E / strip.G_thin) for strip in each)
+    return Blades(E, first.nu, uneven + rough, sheared, uneven > ALIKE, thick, skewed)
 
 
 def strip_of(
@@ -177,6 +202,35 @@ def _axes(sheet: Crystal | Orthotropic, orientation: Orientation | None, angle: 
     across, width = (normal, -aside) if lie.width == "in-plane" else (aside, normal)
     c, s = cos(angle), sin(angle)
     return np.stack([c * along + s * across, c * across - s * along, width])
+
+
+class Thickness(NamedTuple):
+    """How thick the blades of a joint are: the largest h/l, and the largest l [m]."""
+
+    slender: float
+    longest: float
+
+
+def thickness_of(layout: "Layout") -> Thickness:
+    """Return how thick the blades of a layout are.
+
+    One whose thickness varies counts as one that is as thin as its throat and bends as much.
+    """
+    most = longest = 0.0
+    for blade in layout.blades:
+        ends = ((number(e) - number(s)) for s, e in zip(blade.start, blade.end, strict=True))
+        u, weight = gauss_rule(NODES)
+        l = hypot(*ends)
+        pieces, longest = blade.profile.pieces(l), max(longest, l)
+        h, ds = (
+            np.concatenate([np.ravel(part * np.ones(NODES)) for part in parts])
+            for parts in (
+                [piece.thickness(2.0 * u - 1.0) for piece in pieces],
+                [2.0 * weight * piece.slope(2.0 * u - 1.0) for piece in pieces],
+            )
+        )
+        most = max(most, float(h.min() / (ds @ (h.min() / h) ** 3)))
+    return Thickness(most, longest)
 
 
 def stiffness_in(

@@ -33,7 +33,9 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.layout import SpaceLayout
     from flexcli.parts.anisotropic import Crystal, Orientation, Orthotropic
     from flexcli.parts.fatigue_strength import FatigueAmplitude, SNCurve
+    from flexcli.parts.geometries import Geometry, Sizes
     from flexcli.parts.over_temperature import OverTemperature
+    from flexcli.parts.scene import Scene
 else:
     Crystal = Annotated[Any, Named("flexcli.parts.anisotropic:Crystal")]
     Orientation = Annotated[Any, Named("flexcli.parts.anisotropic:Orientation")]
@@ -43,6 +45,10 @@ else:
     OverTemperature = Annotated[Any, Named("flexcli.parts.over_temperature:OverTemperature")]
 
 __all__ = ["STRENGTHS", "WARM", "Material", "MissingProperty"]
+
+BUCKLED, STRETCHED = 4.0, 20.0
+"""By how much more shear takes of a critical force than of a stiffness, π²/3 at most; and how far a
+force across moves a body along, over (h/l)², the travel over l and a shift, 1.7 of a guided one."""
 
 OUT_OF_PLANE = (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
 """Kinds of numbers that depend on torsion and shear of the blades, whatever the joint."""
@@ -145,8 +151,10 @@ class Material(Part):
     _weaker: dict[str, float] = PrivateAttr(default_factory=dict)
     _sheared: float = PrivateAttr(0.0)
     _rough: float = PrivateAttr(0.0)
+    _thick: tuple[float, float] = PrivateAttr((0.0, 0.0))
     _stiffer: float = PrivateAttr(1.0)
     _is_uneven: bool = PrivateAttr(False)
+    _skewed: float = PrivateAttr(0.0)
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -250,6 +258,7 @@ class Material(Part):
         found._spread, found._sheared = blades.spread, blades.sheared
         found._rough = blades.spread
         found._is_uneven = blades.uneven
+        found._thick, found._skewed = blades.thick, blades.skewed
         return found
 
     @property
@@ -276,6 +285,28 @@ class Material(Part):
 
         return self._stiffer * stiffness_in(self.sheet, self.orientation, turned)
 
+    def off_as_thick(
+        self, kind: QuantityKind | None, geometry: "Geometry", sizes: "Sizes", scene: "Scene"
+    ) -> float:
+        """Return what thick blades of a directed material in a plane are off besides, relative.
+
+        They shear by a modulus of their own, and one that is pulled at an angle to its axes shears.
+        So a force across it stretches it too: beside its shift, that is of first order.
+        """
+        if self.sheet is None or geometry.in_space:
+            return 0.0
+        from flexcli.parts.anisotropic import thickness_of
+
+        slender, longest = thickness_of(geometry.blades_layout(self.elastic, sizes))
+        by_square, by_first = self._thick
+        off = (BUCKLED if kind is QuantityKind.BUCKLING else 1.0) * by_square * slender**2
+        off += by_first * slender
+        if kind is QuantityKind.SHIFT and scene.moves:
+            travel = max(map(abs, scene.stroke_ends))
+            bent = travel if geometry.motion == "rotation" else travel / longest
+            off += STRETCHED * self._skewed * slender**2 / bent
+        return off
+
     def doubted(
         self,
         error: ErrorRange,
@@ -283,18 +314,21 @@ class Material(Part):
         *,
         in_space: bool = False,
         is_directed: bool = False,
+        thick: float = 0.0,
     ) -> ErrorRange | None:
         """Return an error of a number of a kind, widened by the uncertainty of the moduli.
 
         A crystal's shear modulus is not that of its Young's modulus and Poisson's ratio, which
         matters for torsion and shear, for all numbers ``in_space``; where ``is_directed``, number
         and error include the direction. Blades that differ change a shift by an unknown amount.
+        ``thick`` is what :meth:`off_as_thick` tells.
         """
-        if self.is_uneven and kind is QuantityKind.SHIFT:
+        if kind is QuantityKind.SHIFT and self.is_uneven:
             return None
         off = self._spread - self._rough if is_directed else self._spread
         if not is_directed and (in_space or kind in OUT_OF_PLANE):
             off += self._sheared
+        off += thick
         return error + ErrorRange(-off, off) + self._drifted(kind)
 
     def _drifted(self, kind: QuantityKind | None) -> ErrorRange:

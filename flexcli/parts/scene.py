@@ -254,6 +254,22 @@ class Scene(NamedTuple):
             beyond="",
         )
 
+    def in_plane(self) -> "Scene":
+        """Return the same case without what acts, or tilts its body, out of the joint's plane."""
+        acts = [float(i not in self.across) for i in range(6)]
+
+        def kept(wrench: Wrench) -> Wrench:
+            x, y, z, xx, yy, zz = (a * part for a, part in zip(acts, wrench, strict=True))
+            return x, y, z, xx, yy, zz
+
+        return self._replace(
+            stated=kept(self.stated),
+            inertial=tuple(map(kept, self.inertial)),
+            accelerations=tuple((acts[0] * x, acts[1] * y, 0.0) for x, y, _ in self.accelerations),
+            across_by=frozenset(),
+            tilts=False,
+        )
+
     def at_first_end(self) -> "Scene":
         """Return the same case with the first end of its stroke as all of it."""
         end = self.stroke_ends[0]

@@ -1,7 +1,7 @@
 """Ranges of all models against each other: each claims to hold the same truth, so they overlap.
 
 Run: python tests/benchmarks/model_ranges.py [specs] [--first SEED] [--kinds KIND …]
-[--coupled | --single].
+[--coupled | --single [--share SHARE]].
 Random specs of the campaign, of loads that act together, or of one small load at a time, are judged
 with easy requirements by closed forms, linear and exact beams and shells in turn, notches by solids
 too, single loads by exact beams of the joint drawn in space; a check of which two ranges lie apart
@@ -21,7 +21,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from twins.campaign import KINDS, LIMBS, NOTCHES, scene
 from twins.coupled import COUPLED, coupled_scene
-from twins.single_loads import single_loads, twin_of
+from twins.single_loads import SMALL, single_loads, twin_of
 
 import flexcli
 from flexcli.errors import SolveError, SpecError
@@ -61,7 +61,7 @@ def apart(known: dict[str, tuple[float, float]]) -> Iterator[tuple[str, str]]:
 def specs(seed: int, kinds: tuple, asked: argparse.Namespace) -> Iterator[tuple[dict, dict | None]]:
     """Yield the specs of a seed, with the twin in space where one is asked."""
     if asked.single:
-        for drawn in single_loads(seed, kinds):
+        for drawn in single_loads(seed, kinds, asked.share):
             with suppress(SpecError):
                 yield drawn.spec, twin_of(drawn.spec)
         return
@@ -78,6 +78,7 @@ def main() -> None:
     ways = parser.add_mutually_exclusive_group()
     ways.add_argument("--coupled", action="store_true", help="loads that act together")
     ways.add_argument("--single", action="store_true", help="one small load at a time")
+    parser.add_argument("--share", type=float, default=SMALL, help="of yielding, a single load")
     asked = parser.parse_args()
     kinds = tuple(asked.kinds or (COUPLED if asked.coupled or asked.single else KINDS))
     compared = wrong = refused = 0
@@ -95,6 +96,7 @@ def main() -> None:
                     print(
                         f"{seed} {spec['geometry']['kind']}: {name}, {case}:",
                         one, known[one], other, known[other], spec["cases"][case].get("wrench", ""),
+                        flush=True,
                     )  # fmt: skip
     print(f"{compared} checks known to several models, {wrong} apart; {refused} specs refused")
 

@@ -286,3 +286,86 @@ def test_a_mechanism_in_space_has_the_stiffness_and_the_modes_of_its_solids():
         assert number.agrees, name
         assert abs(number.apart) < 0.01, name
         assert number.solid_error < 5e-3, name
+
+
+SMALL_SHIFT, SMALL_TURN = "{stroke: {translation: 1 um}}", "{stroke: {rotation: 0.1 mrad}}"
+STUBBY = (
+    "{{kind: necked-down-stage, h: {h}, l_c: 2 mm, l: 15 mm, b: {b}, blades: 2, spacing: 10 mm}}"
+)
+
+
+@pytest.mark.parametrize(
+    ("geometry", "nu"),
+    [
+        (STUBBY.format(h="3 mm", b="40 mm"), 0.3),
+        (STUBBY.format(h="2 mm", b="40 mm"), 0.45),
+        ("{kind: three-blade, h: 0.7 mm, l: 5 mm, b: 15 mm, p: 1 mm}", 0.45),
+        ("{kind: guided-blade, h: 1 mm, l: 10 mm, b: 20 mm}", 0.45),
+    ],
+)
+def test_short_wide_blades_are_as_stiff_as_their_range_says(geometry, nu):
+    """Plates told it to 7e-4; clamps keep thick ends from thinning as well."""
+    turns = "three" in geometry
+    case = SMALL_TURN if turns else SMALL_SHIFT
+    found, _ = numbers(geometry, case, nu=nu, unit="N*m/rad" if turns else "N/m",
+                       only=("k_pivot" if turns else "k_stage",))  # fmt: skip
+    (own,) = found.values()
+    assert own.apart > 1e-3 + own.solid_error  # beyond the plate
+    assert own.model_error.low <= 0.0 <= own.model_error.high
+    assert own.apart - own.solid_error <= own.model_error.high
+
+
+def test_what_a_spec_leaves_out_is_in_the_model_that_solids_are_held_against():
+    """Widening, loads out of the plane, blocks: what is the same in both is compared."""
+    text = SPEC.format(
+        geometry="{kind: cantilever, h: 0.4 mm, l: 10 mm, b: 6 mm}",
+        case="{stroke: {translation: 0.1 mm}, wrench: {theta_y: 0.1 N*m}}",
+        nu=0.3, mechanism="effects: {plate-widening: off}", unit="N/m",
+    )  # fmt: skip
+    result = flexcli.verify(text, only=("k_stage", "support_z", "sigma"))
+    assert [number.agrees for number in result.verification.numbers] == [True] * 3
+    assert "all-effects" in {note.code for note in result.warnings}
+    hinge = "{{kind: notch-hinge, e: 0.1 mm, r: 2 mm, b: 0.3 mm{}}}"
+    bare, stated = (
+        numbers(hinge.format(more), SMALL_TURN, nu=0.3, unit="N*m/rad", only=("support_z",))[0]
+        for more in (", blocks: 0 mm", ", blocks: 5 mm")
+    )
+    assert stated["support_z"].agrees
+    assert stated["support_z"].model == bare["support_z"].model
+
+
+def test_a_blade_too_slender_for_its_solid_says_so():
+    found, result = numbers(
+        "{kind: cantilever, h: 10 um, l: 80 mm, b: 30 um}", SMALL_SHIFT, nu=0.3, only=("k_stage",)
+    )
+    assert found["k_stage"].solid_error is None
+    assert "rounding" in found["k_stage"].why
+    assert result.status.value == "undecided"
+
+
+SHEET = """\
+flexure: 1
+material:
+  orthotropic: {{E_1: 140 GPa, E_2: 60 GPa, G_12: 20 GPa, nu_12: 0.3}}
+  orientation: {{turned: {turned} deg}}
+geometry: {geometry}
+requirements: {{stiffness: {{min: 1 {unit}}}}}
+"""
+
+
+@pytest.mark.parametrize("turned", [0.0, 22.9, 45.0])
+def test_thick_blades_of_a_sheet_shear_by_their_own_modulus_and_are_kept_from_it(turned):
+    """Beams had G of an isotropic material: 4 % too stiff along the sheet, 2 % too soft across."""
+    geometry = "{kind: guided-blade, h: 7 mm, l: 80 mm, b: 5 mm}"
+    text = SHEET.format(turned=turned, geometry=geometry, unit="N/m")
+    (own,) = flexcli.verify(text, only=("k_stage",)).verification.numbers
+    assert abs(own.apart) > 0.012
+    assert own.model_error.low < own.apart < own.model_error.high
+
+
+def test_blades_of_a_pivot_at_an_angle_to_the_sheet_are_kept_from_shearing_as_they_bend():
+    geometry = "{kind: rcc, h: 2.7 mm, l: 80 mm, b: 2 mm, p: 0 mm, half_angle: 22.9 deg}"
+    text = SHEET.format(turned=0, geometry=geometry, unit="N*m/rad")
+    (own,) = flexcli.verify(text, only=("k_pivot",)).verification.numbers
+    assert own.apart > 0.009
+    assert own.apart < own.model_error.high < 0.04

@@ -7,6 +7,7 @@ from flexcli.formulas.anisotropy import (
     cubic_stiffness,
     orthotropic_stiffness,
     plate_anisotropy,
+    sheared_in_plane,
     strip_constants,
 )
 
@@ -100,3 +101,22 @@ def test_an_isotropic_plate_is_none_of_them():
 def test_a_crystal_that_would_fall_apart_is_refused(constants):
     with pytest.raises(ValueError, match="no crystal"):
         cubic_stiffness(*constants)
+
+
+def test_an_isotropic_strip_shears_as_its_beam_and_thins_at_its_clamps_alone():
+    E, nu = 70e9, 0.3
+    C = orthotropic_stiffness(E_1=E, E_2=E, G_12=E / (2.0 * (1.0 + nu)), nu_12=nu)
+    by_square, by_first = sheared_in_plane(strip_constants(C, np.eye(3)))
+    assert by_square == pytest.approx(0.0, abs=1e-12)
+    assert by_first == pytest.approx(0.45 * nu**2, rel=1e-9)
+
+
+def test_a_strip_along_a_sheet_of_little_shear_stiffness_is_softer_by_its_shear():
+    """Of Timoshenko's beam, bent to an S: Φ = 1.2 E/G (h/l)²."""
+    C = orthotropic_stiffness(E_1=140e9, E_2=10e9, G_12=5e9, nu_12=0.3)
+    strip = strip_constants(C, np.eye(3))
+    by_square, by_first = sheared_in_plane(strip)
+    slender = 0.01
+    isotropic, own = (1.0 + x * slender**2 for x in (2.4 * (1.0 + strip.nu), 1.2 * 140.0 / 5.0))
+    assert isotropic / own - 1.0 == pytest.approx(-by_square * slender**2, rel=0.01)
+    assert by_first < 0.01  # nothing couples along its axes

@@ -199,6 +199,31 @@ def test_clamp_stress_is_a_sixth_to_a_quarter_above_the_beams_and_von_mises_a_te
         assert ((equivalent > 1.02) & (equivalent < 1.12)).all()
 
 
+@pytest.mark.parametrize(("b", "nu"), [(8.0, 0.3), (32.0, 0.3), (32.0, 0.45)])
+def test_rigid_clamps_stiffen_a_wide_blade_beyond_the_plate_by_what_is_told(b, nu):
+    """They keep it from thinning as well, and shear does not follow the bending of a plate."""
+    blade, h = {"b": b, "h": 0.1, "nu": nu}, 0.1
+    for solid, fit, ends in (
+        (clamped_block.bending_factor, plates.pure_bending_factor, 2.0),
+        (clamped_block.guided_factor, plates.guided_factor, 6.0),
+    ):
+        plate = float(fit(b=b, l=1.0, h=h, poisson_ratio=nu))
+        less, more = plates.beyond_plate(h=h, l=1.0, poisson_ratio=nu, ends=ends)
+        beyond = solid(**blade) / plate - 1.0
+        assert -less - plates.FIT_ERROR - SOLID < beyond < more + plates.FIT_ERROR + SOLID
+        # and it is no bound out of proportion
+        assert more < 5e-3 + 4.0 * abs(beyond)
+    assert beyond > plates.FIT_ERROR  # no plate tells that
+
+
+def test_a_thin_or_narrow_blade_is_no_stiffer_than_its_plate():
+    less, more = plates.beyond_plate(h=1e-3, l=1.0, poisson_ratio=0.3)
+    assert less == 0.0
+    assert more < 1e-4
+    _, narrow = plates.beyond_plate(h=0.1, l=1.0, poisson_ratio=0.3, flat=0.0, ends=2.0)
+    assert narrow == 0.0
+
+
 @pytest.mark.slow
 def test_a_thick_blade_has_the_factor_of_a_narrower_plate():
     b, h, nu = 0.2, 0.02, 0.3

@@ -18,8 +18,8 @@ SMALL = 1e-6
 """Of the moment that makes a blade yield, or of that over its length."""
 
 
-def single_loads(seed, kinds=COUPLED):
-    """Yield the joint of a seed under three loads, and the same drawn in space where it can be."""
+def single_loads(seed, kinds=COUPLED, share=SMALL):
+    """Yield the joint of a seed under three loads, each a share of what makes a blade yield."""
     drawn, rng = scene(seed, kinds), np.random.default_rng(seed)
     spec = {key: drawn.spec[key] for key in ("flexure", "title", "geometry", "material")}
     material, geometry = {"poisson_ratio": 0.3, **spec["material"]}, dict(spec["geometry"])
@@ -27,7 +27,7 @@ def single_loads(seed, kinds=COUPLED):
         return  # a crystal's numbers depend on where its blades point
     if geometry["kind"] in ("leaf-spring-stage", "necked-down-stage"):
         geometry.setdefault("spacing", geometry["l"])
-    moment, l = _bending(geometry, float(material["yield_strength"].split()[0]))
+    moment, l = _bending(geometry, share * float(material["yield_strength"].split()[0]))
     for way in map(str, rng.permutation([*FORCES, *MOMENTS])[:3]):
         load = f"{moment / l!r} N" if way in FORCES else f"{moment!r} N*m"
         asked = {
@@ -46,7 +46,7 @@ def twin_of(spec):
 
 
 def _bending(geometry, strength):
-    """Return a small moment of a blade [N·m], and its length or some number like it [m]."""
+    """Return the moment of a blade of that stress [N·m], and some length of it [m]."""
     blades = geometry.get("blades")
     sizes = next(iter(blades.values())) if isinstance(blades, dict) else geometry
 
@@ -54,4 +54,4 @@ def _bending(geometry, strength):
         found = (each[name] for each in (sizes, geometry) for name in names if name in each)
         return float(str(next(found, "0.05 m")).split()[0])
 
-    return SMALL * strength * size("b") * size("h", "e") ** 2 / 6.0, size("l", "r")
+    return strength * size("b") * size("h", "e") ** 2 / 6.0, size("l", "r")

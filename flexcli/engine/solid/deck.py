@@ -26,6 +26,7 @@ __all__ = [
     "buckling_deck",
     "compliance_deck",
     "modes_deck",
+    "rounding",
     "softness",
     "states_deck",
     "support_deck",
@@ -39,6 +40,9 @@ CONTROLS = "*CONTROLS, PARAMETERS=FIELD\n1e-5, 1e-3, 1e-5, , 1e-5, 1e-5"
 """Forces out of balance, and the last correction, over the mean and the increment: tighter than
 CalculiX's own ½ % and 1 %."""
 
+
+ROUNDED = 3e-15
+"""Times (l/h)⁴, the rounding of a blade's solid."""
 
 MODES, LOAD_FACTORS = 12, 4
 """Modes of vibration and of buckling that are computed."""
@@ -61,6 +65,19 @@ class Deck(NamedTuple):
 def softness(model: SolidModel) -> float:
     """Return the share by which what is not quite rigid softens the blades, bent to an S."""
     return max(stretch.bricks.stiff_share for stretch in model.stretches) / RIGID
+
+
+def rounding(model: SolidModel) -> float:
+    """Return by what share rounding may change how a blade of bricks bends.
+
+    It grows with the fourth power of the length over the least thickness: single blades and crossed
+    ones of l/h = 1000, 2000 and 4000 were up to 1.3e-3, 0.01 and 0.19 off, a notch of 1800 0.03.
+    """
+    slender = 0.0
+    for bricks in (stretch.bricks for stretch in model.stretches):
+        s, t = (bricks.places[bricks.lattice[:, [0, -1], 0], axis] for axis in (0, 1))
+        slender = max(slender, float(np.ptp(s) / np.abs(t[:, 1] - t[:, 0]).min()))
+    return ROUNDED * slender**4
 
 
 def states_deck(model: SolidModel, states: Sequence[State], *, is_linear: bool = False) -> Deck:

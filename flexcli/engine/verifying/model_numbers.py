@@ -10,6 +10,7 @@ from flexcli.engine.joint_models.joint_states import warmed
 from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.engine.solid.model import solid_model
 from flexcli.engine.solid.numbers import STRAIGHT, StressPlace
+from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import free_compliance
@@ -64,7 +65,7 @@ class ModelNumbers:
         Bent blades of some width lie between the beam and the plate that cannot narrow, which is
         1/(1 − ν²) times as stiff: the range is all between, and the error at rest besides.
         """
-        at_rest = float(self.joint_model.stiffness(ask) / self.inner.stiffness(ask))
+        at_rest = float(self.joint_model.stiffness(ask) / ExactModel().stiffness(ask))
         found = self.exact.stiffness_at_end(ask)
         own = self.joint_model.error(ask, QuantityKind.STIFFNESS)
         if own is None:
@@ -76,9 +77,9 @@ class ModelNumbers:
         state = self.exact.states(ask)
         free = state.parts[0].demand.free.tolist()
         index = free.index(3 * state.layout.index(MOVING))
-        return 1.0 / float(free_compliance(state)[0, index, index]), _between_beam_and_plate(
-            ask, 1.0
-        )
+        is_known = all(isinstance(blade.profile, Constant) for blade in state.layout.blades)
+        error = _between_beam_and_plate(ask, 1.0) if is_known else None
+        return 1.0 / float(free_compliance(state)[0, index, index]), error
 
     def by_support(self, ask: Ask, index: int) -> tuple[JointModel, Found]:
         """Return a stiffness at the end of the stroke, by shells where beams know no error."""
@@ -116,7 +117,12 @@ class ModelNumbers:
         return self.of(ask, QuantityKind.STRESS, worst * self.share_at(ask, place))
 
     def share_at(self, ask: Ask, place: StressPlace) -> float:
-        """Return the stress at a place over the greatest, by exact beams."""
+        """Return the stress at a place over the greatest, by exact beams.
+
+        Where a hinge bears the most is the place itself, whatever its peak is there.
+        """
+        if place.s is None:
+            return 1.0
         exact = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
         return abs(self._stress_at(ask, place)) / exact
 
@@ -178,7 +184,8 @@ class ModelNumbers:
 def _between_beam_and_plate(ask: Ask, factor: float) -> ErrorRange:
     """Return how far blades between a beam and a plate are off a number that has a factor."""
     nu = ask.material.elastic.nu or 0.0
-    return ErrorRange(1.0 / factor - 1.0, 1.0 / (factor * (1.0 - nu**2)) - 1.0)
+    least, most = min(factor, 1.0), max(factor, 1.0)
+    return ErrorRange(least / factor - 1.0, most / (factor * (1.0 - nu**2)) - 1.0)
 
 
 def _least_critical(joint_model: JointModel, ask: Ask) -> Critical:

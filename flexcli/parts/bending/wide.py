@@ -73,6 +73,11 @@ UNSURE_ALONG = 0.3
 ANY_SHARE = 0.9
 """How unsure the part of a shift is that is across the bisector of joined blades."""
 
+ENDS = {
+    plates.pure_bending_factor: 2.0, plates.cantilever_factor: 3.0, plates.limb_hinge_factor: 3.0,
+}  # fmt: skip
+"""Squares of both end moments of a blade over their mean square along it, 6 of an S at most."""
+
 LOCKED, HINGED = "clamped-clamped", "pinned-pinned"
 
 
@@ -508,7 +513,8 @@ def _factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor:
     """Return a factor of a formula with its error, between beam and flat plate."""
     at = {"b": blade.b, "l": blade.l, "poisson_ratio": nu, **more}
     value, thin = number(formula(h=blade.h, **at)), number(formula(**at))
-    return _with_error(value, number(plates.factor_error(value, thin)), nu)
+    error, ends = number(plates.factor_error(value, thin)), ENDS.get(formula, 6.0)
+    return _with_error(value, error, blade, nu, ends)
 
 
 def _buckling(blade: Blade, nu: float, ends: str) -> Factor:
@@ -516,12 +522,17 @@ def _buckling(blade: Blade, nu: float, ends: str) -> Factor:
     value = number(plate_buckling.buckling_factor(h=blade.h, **at))
     thin = number(plate_buckling.buckling_factor(**at))
     fit = plate_buckling.BUCKLING_ERROR[ends]
-    return _with_error(value, number(plates.factor_error(value, thin, fit)), nu)
+    return _with_error(value, number(plates.factor_error(value, thin, fit)), blade, nu)
 
 
-def _with_error(value: float, error: float, nu: float) -> Factor:
-    flat = 1.0 + number(plates.bound(nu))
-    return Factor(value, larger(1.0, value - error), smaller(flat, value + error))
+def _with_error(value: float, error: float, blade: Blade, nu: float, ends: float = 6.0) -> Factor:
+    """Return a factor with its range: of thin plates, and what thickness changes of wide ones."""
+    over = number(plates.bound(nu))
+    flat = (value - 1.0) / larger(over, TINY)
+    beyond = plates.beyond_plate(h=blade.h, l=blade.l, poisson_ratio=nu, flat=flat, ends=ends)
+    less, more = (value * number(each) for each in beyond)
+    low, high = larger(1.0, value - error), smaller(1.0 + over, value + error)
+    return Factor(value, low - less, high + more)
 
 
 def _between(low: float, nu: float) -> Factor:
