@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, MutableMapping, Sequence
 from dataclasses import dataclass, field
+from math import sin
 from time import perf_counter
 
 import numpy as np
@@ -33,6 +34,9 @@ from flexcli.results.activity import doing
 from flexcli.results.verification import Verification, VerifiedNumber
 
 __all__ = ["verifiable", "verify"]
+
+ALONG = 1e-6
+"""Sine of an angle from x that is none."""
 
 
 class _NotRun(Exception):
@@ -77,6 +81,7 @@ def verify(
     begun = perf_counter()
     design, notes = _between_rigid_clamps(design, sizes)
     design = _with_all_effects(design, notes)
+    _refuse_thinned(design)
     named = model_series(design, model)[-1]
     asks = _asks(design, sizes, named)
     try:
@@ -189,6 +194,19 @@ def _named(wanted: list[Comparison], only: Sequence[str]) -> list[Comparison]:
     if only:
         return [comparison for comparison in wanted if comparison.name in only]
     return [comparison for comparison in wanted if not comparison.on_demand]
+
+
+def _refuse_thinned(design: DesignSpec) -> None:
+    """Raise where blades of one sheet, which all lie along its x, are drawn at angles."""
+    material = design.material
+    lie = material.orientation
+    if not material.is_directed or lie is None or lie.width != "in-plane":
+        return
+    if any(abs(sin(angle)) > ALONG for angle in design.blade_angles()):
+        text = (
+            "blades that are thinned all lie along x of their wafer, solids in the drawing's axes"
+        )
+        raise SolveError("no-solid", text, "verify blades along x, or width: normal")
 
 
 def _refuse_crossing(design: DesignSpec, sizes: Sizes) -> None:

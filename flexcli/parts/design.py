@@ -228,10 +228,10 @@ class DesignSpec(Part):
     def _material_is_oriented(self) -> "DesignSpec":
         """Orient the material along the blades, where its stiffness depends on the direction."""
         if self.material.is_directed:
-            self.__dict__["material"] = self.material.oriented(self._blade_angles())
+            self.__dict__["material"] = self.material.oriented(self.blade_angles())
         return self
 
-    def _blade_angles(self) -> tuple[float, ...]:
+    def blade_angles(self) -> tuple[float, ...]:
         """Return the angles of the blades in the plane from x as drawn [rad]."""
         layout = self.drawn(self.geometry.probe())
         if layout is None:

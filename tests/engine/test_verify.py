@@ -369,3 +369,12 @@ def test_blades_of_a_pivot_at_an_angle_to_the_sheet_are_kept_from_shearing_as_th
     (own,) = flexcli.verify(text, only=("k_pivot",)).verification.numbers
     assert own.apart > 0.009
     assert own.apart < own.model_error.high < 0.04
+
+
+def test_a_small_critical_force_is_found():
+    """CalculiX looks next to a load factor of one; the first of these is below a fifth."""
+    geometry = "{kind: rcc, p: 8 mm, half_angle: 30 deg, h: 40 um, l: 20 mm, b: 1 mm}"
+    case = "{load: {force: 1 mN, direction: 180 deg}, ends: clamped-clamped}"
+    found, _ = numbers(geometry, case, unit="N*m/rad", only=("F_cr",))
+    assert found["F_cr"].model < 0.2
+    assert found["F_cr"].apart == pytest.approx(0.0, abs=3.0 * MESH)

@@ -55,6 +55,9 @@ SETTLED = 1e-4
 
 TRIES = 8
 
+FOUND_FROM = 3.0
+"""Load factor that is looked for: CalculiX finds those next to one, and none far below."""
+
 TAKES_PART = 0.01
 """Share of the motion's compliance from which a mode is one of the motion's own."""
 
@@ -281,13 +284,20 @@ class SolidNumbers:
         if scene.hold.hinged:
             raise NotAvailable("has hinged ends, which are no solid")
         model = self._model(scene.layout)
-        state = State({MOVING: ends_held(scene)[MOVING]}, scene.pattern)
+        unit = near / FOUND_FROM
+        loads = [
+            load._replace(
+                force=(unit * load.force[0], unit * load.force[1]), moment=unit * load.moment
+            )
+            for load in scene.pattern
+        ]
+        state = State({MOVING: ends_held(scene)[MOVING]}, loads)
         turning = self._turning(model, scene)
 
         def factor(at: float) -> float:
             holding = {name: at * moment for name, moment in turning.items()}
             found = self.runner(buckling_deck(model, state, holding)).buckling()
-            return min((f for f in found if f > 0.0), default=inf)
+            return unit * min((f for f in found if f > 0.0), default=inf)
 
         if not turning:
             return factor(0.0)
