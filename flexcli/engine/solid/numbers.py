@@ -91,6 +91,19 @@ class SolidNumbers:
             return float(1.0 / (way @ self.compliance() @ way))
         layout = layout_of(self.ask)
         axis = driven_axis(self.ask.geometry)
+        if self._tilts:
+            index = (0, 1, 5)[axis]
+            return float(1.0 / self.compliance()[index, index])
+        return self._upright_stiffness(layout, axis)
+
+    @property
+    def _tilts(self) -> bool:
+        """Return whether blades stand at several heights: what bends them tilts the body."""
+        heights = [single(blade.z) for blade in layout_of(self.ask).blades]
+        return max(heights) - min(heights) > 0.0
+
+    def _upright_stiffness(self, layout: Layout, axis: int) -> float:
+        """Return the stiffness along the motion of a body that stays in the plane."""
         small = SMALL * (1.0 if axis == 2 else _longest(layout))
         held: Held = {MOVING: self.ask.geometry.held(small)}
         state = self._solve(layout, held, (), is_linear=True)
@@ -256,7 +269,11 @@ class SolidNumbers:
         count = min(len(moved), squares.size)
         taking = np.array(moved[:count]) ** 2 / squares[:count]
         first = int(np.flatnonzero(taking > TAKES_PART * taking.sum())[0])
-        return float(np.sqrt(squares[first]) / (2.0 * np.pi))
+        found = float(np.sqrt(squares[first]) / (2.0 * np.pi))
+        if ask.geometry.in_space or not self._tilts:
+            return found
+        upright = self._upright_stiffness(layout_of(ask), driven_axis(ask.geometry))
+        return found * float(np.sqrt(self.stiffness() / upright))
 
     def _solve(
         self, layout: Layout, held: Held, loads: Sequence[Load], *, is_linear: bool = False

@@ -7,7 +7,7 @@ import numpy as np
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, johnson_stress
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import number
+from flexcli.numerics.rows import number, smaller
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
@@ -81,7 +81,7 @@ class Buckling(FactorRequirement):
                 driver="force",
                 kind=QuantityKind.BUCKLING,
                 in_capacity=True,
-                error=_error(critical, ask.material),
+                error=_error(critical, ask),
             )
 
     def _shares(self, ask: Ask) -> Iterator[Limit]:
@@ -186,14 +186,23 @@ def borne(critical: Critical, material: Material) -> tuple[Computed, str]:
     return number(found), "; blades yield first, J. B. Johnson's parabola"
 
 
-def _error(critical: Critical, material: Material) -> ErrorRange | None:
-    """Return the error of the bearable force from that of the elastic force."""
-    if critical.error is None:
-        return None
-    middle, _ = borne(critical, material)
-    if not np.isfinite(number(middle)):
+def _error(critical: Critical, ask: Ask) -> ErrorRange | None:
+    """Return the error of the bearable force from that of the elastic force, and its strain.
+
+    Laws of finite strain differ by that in a critical force: Green's strain or a beam's, stress of
+    the first area or of the last. No material states which is its own.
+    """
+    force, middle = critical.force, borne(critical, ask.material)[0]
+    if critical.error is None or isinstance(force, Signomial):
         return critical.error
-    ends = (borne(critical._replace(force=critical.force * (1.0 + e)), material)[0]
-            for e in critical.error)  # fmt: skip
+    if not np.all(np.isfinite(np.asarray(middle, np.float64))):
+        return critical.error
+    low, high = (1.0 + e for e in critical.error)
+    if critical.stress is not None:
+        stress = np.asarray(force, np.float64) * np.asarray(critical.stress, np.float64)
+        given, E = ask.material.yield_strength, ask.material.elastic.E
+        strain = smaller(number(stress / E), 1.0 if given is None else given.value / E)
+        low, high = low * (1.0 - strain), high * (1.0 + strain)
+    ends = (borne(critical._replace(force=force * end), ask.material)[0] for end in (low, high))
     low, high = (number(end) / number(middle) - 1.0 for end in ends)
     return ErrorRange(low, high)
