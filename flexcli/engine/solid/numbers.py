@@ -98,7 +98,9 @@ class SolidNumbers:
 
     @property
     def _tilts(self) -> bool:
-        """Return whether blades stand at several heights: what bends them tilts the body."""
+        """Return whether blades stand at several heights, and nothing holds the body upright."""
+        if not self.ask.scene.tilts:
+            return False
         heights = [single(blade.z) for blade in layout_of(self.ask).blades]
         return max(heights) - min(heights) > 0.0
 
