@@ -27,6 +27,9 @@ __all__ = ["PRINTED", "Found", "ModelNumbers"]
 PRINTED = 2e-6
 """Relative error of what CalculiX prints with seven digits."""
 
+DIGITS = 5e-5
+"""Relative error of stresses, of which it prints six digits."""
+
 BESIDE_CLAMP = 2.0
 """Thicknesses from a clamp to where stresses are compared: what its corner does fades by some
 e⁻⁴ a thickness."""
@@ -141,7 +144,7 @@ class ModelNumbers:
         worst = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
         strain = worst / ask.material.elastic.E
         held = 0.0 if ask.scene.temperature is None else held_across(warmed(ask))
-        return PRINTED + strain + HELD_STRESS * held / strain
+        return DIGITS + strain + HELD_STRESS * held / strain
 
     def law_in_shift(self, ask: Ask) -> float:
         """Return what the law of finite strain of a solid may change in a shift, relative.
