@@ -464,7 +464,7 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
                 errors[kind] = ask.joint_model.error(ask, kind)
             error = errors[kind]
         if error is not None:
-            thick = ask.material.off_as_thick(kind, ask.geometry, ask.sizes, ask.scene)
+            thick = ask.off_as_thick(kind)
             error = ask.material.doubted(
                 error, kind, in_space=in_space, is_directed=limit.is_directed, thick=thick
             )

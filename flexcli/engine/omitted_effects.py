@@ -7,7 +7,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Setting
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.material import STRENGTHS, WARM
-from flexcli.parts.requirements import AS_PRINTED, Ask, JointModel
+from flexcli.parts.requirements import AS_PRINTED, JointModel
 from flexcli.parts.scene import Scene
 from flexcli.results import EffectRow, Note, QuantityKind, Value
 from flexcli.units import show
@@ -95,16 +95,14 @@ def errors_of(
     for kind in dict.fromkeys(value.kind for value in values.values() if value.kind is not None):
         each = [joint_model.error(ask, kind) for ask in asks]
         known = [
-            None if error is None else ask.material.doubted(error, kind, thick=_thick(ask, kind))
+            None
+            if error is None
+            else ask.material.doubted(error, kind, thick=ask.off_as_thick(kind))
             for ask, error in zip(asks, each, strict=True)
         ]
         if None not in known:
             found[kind.value] = max((e.largest for e in known if e is not None), default=0.0)
     return found
-
-
-def _thick(ask: Ask, kind: QuantityKind) -> float:
-    return ask.material.off_as_thick(kind, ask.geometry, ask.sizes, ask.scene)
 
 
 def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> tuple[Note, ...]:

@@ -315,5 +315,5 @@ def _doubted(comparison: Comparison, error: ErrorRange) -> ErrorRange | None:
         and comparison.directs()
         and joint_in_space(ask.geometry, ask.material, ask.sizes).is_directed
     )
-    thick = ask.material.off_as_thick(comparison.kind, ask.geometry, ask.sizes, ask.scene)
+    thick = ask.off_as_thick(comparison.kind)
     return ask.material.doubted(error, comparison.kind, is_directed=directed, thick=thick)

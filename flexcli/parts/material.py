@@ -30,12 +30,11 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from flexcli.mechanics.layout import Layout
     from flexcli.mechanics.space.layout import SpaceLayout
     from flexcli.parts.anisotropic import Crystal, Orientation, Orthotropic
     from flexcli.parts.fatigue_strength import FatigueAmplitude, SNCurve
-    from flexcli.parts.geometries import Geometry, Sizes
     from flexcli.parts.over_temperature import OverTemperature
-    from flexcli.parts.scene import Scene
 else:
     Crystal = Annotated[Any, Named("flexcli.parts.anisotropic:Crystal")]
     Orientation = Annotated[Any, Named("flexcli.parts.anisotropic:Orientation")]
@@ -286,25 +285,24 @@ class Material(Part):
         return self._stiffer * stiffness_in(self.sheet, self.orientation, turned)
 
     def off_as_thick(
-        self, kind: QuantityKind | None, geometry: "Geometry", sizes: "Sizes", scene: "Scene"
+        self, kind: QuantityKind | None, layout: "Layout", travel: float, *, turns: bool
     ) -> float:
         """Return what thick blades of a directed material in a plane are off besides, relative.
 
         They shear by a modulus of their own, and one that is pulled at an angle to its axes shears.
-        So a force across it stretches it too: beside its shift, that is of first order.
+        So a force across it stretches it too: beside its shift at a ``travel`` [rad or m], that is
+        of first order.
         """
-        if self.sheet is None or geometry.in_space:
+        if self.sheet is None:
             return 0.0
         from flexcli.parts.anisotropic import thickness_of
 
-        slender, longest = thickness_of(geometry.blades_layout(self.elastic, sizes))
+        slender, longest = thickness_of(layout)
         by_square, by_first = self._thick
         off = (BUCKLED if kind is QuantityKind.BUCKLING else 1.0) * by_square * slender**2
         off += by_first * slender
-        if kind is QuantityKind.SHIFT and scene.moves:
-            travel = max(map(abs, scene.stroke_ends))
-            bent = travel if geometry.motion == "rotation" else travel / longest
-            off += STRETCHED * self._skewed * slender**2 / bent
+        if kind is QuantityKind.SHIFT and travel:
+            off += STRETCHED * self._skewed * slender**2 / (travel if turns else travel / longest)
         return off
 
     def doubted(

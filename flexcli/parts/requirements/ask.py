@@ -158,6 +158,15 @@ class Ask(NamedTuple):
         clamped = self.geometry.compliant_clamps(self.sizes, 0.5 if given is None else given.value)
         return 0.0 if clamped is None else clamped.softest
 
+    def off_as_thick(self, kind: QuantityKind | None) -> float:
+        """Return what thick blades of a directed material are off besides in a plane, relative."""
+        if not self.material.is_directed or self.geometry.in_space:
+            return 0.0
+        layout = self.geometry.blades_layout(self.material.elastic, self.sizes)
+        travel = max(map(abs, self.scene.stroke_ends)) if self.scene.moves else 0.0
+        turns = self.geometry.motion == "rotation"
+        return self.material.off_as_thick(kind, layout, travel, turns=turns)
+
 
 class JointModel(ABC):
     """A model of the joint: the numbers that requirements need, as floats or signomials.
