@@ -23,6 +23,9 @@ BEYOND = 1.5
 """How far beyond the factor that is asked for it is looked what buckles a joint: the error of what
 stands up to there is less."""
 
+BULKY = 100.0
+"""Strain from which on blades are too bulky to buckle, whatever their law."""
+
 FURTHER, FARTHEST = 1.15, 1e3
 """Where its error is more, how far beyond what would do it is looked once more, and how often the
 factor that is asked for at most: beams whose springs are hardly known may stand a hundred times."""
@@ -201,8 +204,10 @@ def _error(critical: Critical, ask: Ask) -> ErrorRange | None:
     if critical.stress is not None:
         stress = np.asarray(force, np.float64) * np.asarray(critical.stress, np.float64)
         given, E = ask.material.yield_strength, ask.material.elastic.E
-        strain = smaller(number(stress / E), 1.0 if given is None else given.value / E)
-        low, high = low * (1.0 - strain), high * (1.0 + strain)
+        most = BULKY if given is None else given.value / E
+        strain = smaller(number(stress / E), most)
+        # at the lower end it is less strained
+        low, high = low / (1.0 + strain), high * (1.0 + strain)
     ends = (borne(critical._replace(force=force * end), ask.material)[0] for end in (low, high))
     low, high = (number(end) / number(middle) - 1.0 for end in ends)
     return ErrorRange(low, high)
