@@ -91,18 +91,10 @@ class SolidNumbers:
             return float(1.0 / (way @ self.compliance() @ way))
         layout = layout_of(self.ask)
         axis = driven_axis(self.ask.geometry)
-        if self._tilts:
+        if self.ask.scene.tilts:
             index = (0, 1, 5)[axis]
             return float(1.0 / self.compliance()[index, index])
         return self._upright_stiffness(layout, axis)
-
-    @property
-    def _tilts(self) -> bool:
-        """Return whether blades stand at several heights, and nothing holds the body upright."""
-        if not self.ask.scene.tilts:
-            return False
-        heights = [single(blade.z) for blade in layout_of(self.ask).blades]
-        return max(heights) - min(heights) > 0.0
 
     def _upright_stiffness(self, layout: Layout, axis: int) -> float:
         """Return the stiffness along the motion of a body that stays in the plane."""
@@ -272,7 +264,7 @@ class SolidNumbers:
         taking = np.array(moved[:count]) ** 2 / squares[:count]
         first = int(np.flatnonzero(taking > TAKES_PART * taking.sum())[0])
         found = float(np.sqrt(squares[first]) / (2.0 * np.pi))
-        if ask.geometry.in_space or not self._tilts:
+        if ask.geometry.in_space or not ask.scene.tilts:
             return found
         upright = self._upright_stiffness(layout_of(ask), driven_axis(ask.geometry))
         return found * float(np.sqrt(self.stiffness() / upright))
