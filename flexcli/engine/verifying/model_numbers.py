@@ -104,8 +104,9 @@ class ModelNumbers:
         """Return the least critical force in the plane."""
         least = _least_critical(self.joint_model, ask)
         error = least.error or self.joint_model.error(ask, QuantityKind.BUCKLING)
-        if error is not None and least.stress is not None:
-            strain = float(least.force) * float(np.max(least.stress)) / ask.material.elastic.E
+        elastic = least.elastic
+        if error is not None and elastic is not None:
+            strain = float(np.max(elastic)) / ask.material.elastic.E
             error = error + ErrorRange(-strain, strain)  # by which laws of finite strain differ
         return float(least.force), error
 

@@ -119,6 +119,13 @@ class Critical(NamedTuple):
     error: ErrorRange | None = None
     carries: frozenset[EffectName] = frozenset()
 
+    @property
+    def elastic(self) -> Floats | None:
+        """Return the axial stress at the force, as if nothing yielded [Pa]."""
+        if self.stress is None:
+            return None
+        return np.asarray(self.force, np.float64) * np.asarray(self.stress, np.float64)
+
 
 class RootedBlade(NamedTuple):
     """Dimensions of equal blades whose roots have fillets of a radius [m]."""

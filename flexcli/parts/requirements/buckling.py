@@ -174,14 +174,15 @@ def borne(critical: Critical, material: Material) -> tuple[Computed, str]:
     elastic force, which its algebra can express.
     """
     force, given = critical.force, material.yield_strength
-    if given is None or critical.stress is None or isinstance(force, Signomial):
+    if given is None or isinstance(force, Signomial):
         return force, ""
     if isinstance(critical.stress, float) and critical.stress == 0.0:  # across the blades
         return force, ""
+    elastic = critical.elastic
+    if elastic is None:
+        return force, ""
     strength = number(given.value)
-    stress = np.asarray(critical.stress, dtype=np.float64)
-    elastic = np.asarray(force, dtype=np.float64) * stress
-    found = johnson_stress(elastic, strength) / stress
+    found = johnson_stress(elastic, strength) / np.asarray(critical.stress, dtype=np.float64)
     if np.ndim(found):
         return found, ""
     if number(elastic) <= strength / 2.0:
@@ -201,11 +202,11 @@ def _error(critical: Critical, ask: Ask) -> ErrorRange | None:
     if not np.all(np.isfinite(np.asarray(middle, np.float64))):
         return critical.error
     low, high = (1.0 + e for e in critical.error)
-    if critical.stress is not None:
-        stress = np.asarray(force, np.float64) * np.asarray(critical.stress, np.float64)
+    elastic = critical.elastic
+    if elastic is not None:
         given, E = ask.material.yield_strength, ask.material.elastic.E
         most = BULKY if given is None else given.value / E
-        strain = smaller(number(stress / E), most)
+        strain = smaller(number(elastic / E), most)
         # at the lower end it is less strained
         low, high = low / (1.0 + strain), high * (1.0 + strain)
     ends = (borne(critical._replace(force=force * end), ask.material)[0] for end in (low, high))
