@@ -464,10 +464,7 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
                 errors[kind] = ask.joint_model.error(ask, kind)
             error = errors[kind]
         if error is not None:
-            thick = ask.off_as_thick(kind)
-            error = ask.material.doubted(
-                error, kind, in_space=in_space, is_directed=limit.is_directed, thick=thick
-            )
+            error = ask.doubted(error, kind, in_space=in_space, is_directed=limit.is_directed)
         if error is not None and limit.strengths:
             error = ask.material.weakened(error, limit.strengths)
         yield limit._replace(error=error)

@@ -95,9 +95,7 @@ def errors_of(
     for kind in dict.fromkeys(value.kind for value in values.values() if value.kind is not None):
         each = [joint_model.error(ask, kind) for ask in asks]
         known = [
-            None
-            if error is None
-            else ask.material.doubted(error, kind, thick=ask.off_as_thick(kind))
+            None if error is None else ask.doubted(error, kind)
             for ask, error in zip(asks, each, strict=True)
         ]
         if None not in known:

@@ -315,5 +315,4 @@ def _doubted(comparison: Comparison, error: ErrorRange) -> ErrorRange | None:
         and comparison.directs()
         and joint_in_space(ask.geometry, ask.material, ask.sizes).is_directed
     )
-    thick = ask.off_as_thick(comparison.kind)
-    return ask.material.doubted(error, comparison.kind, is_directed=directed, thick=thick)
+    return ask.doubted(error, comparison.kind, is_directed=directed)

@@ -22,8 +22,7 @@ from flexcli.formulas.card import outside
 from flexcli.formulas.clamped_blade import NARROWER, Across
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceLayout, SpaceRod
-from flexcli.numerics.quadrature import gauss_rule
-from flexcli.numerics.rows import number
+from flexcli.numerics.rows import Number, larger, of_each
 from flexcli.parts.base import Angle, Part, QuantityOf, Stress, spec_error
 from flexcli.parts.sourced import WithSource
 
@@ -40,10 +39,6 @@ __all__ = [
     "stiffness_in",
     "thickness_of",
 ]
-
-NODES = 40
-"""Gauss nodes on a piece of a blade."""
-
 Floats = NDArray[np.float64]
 
 WAFERS = {
@@ -207,8 +202,8 @@ def _axes(sheet: Crystal | Orthotropic, orientation: Orientation | None, angle: 
 class Thickness(NamedTuple):
     """How thick the blades of a joint are: the largest h/l, and the largest l [m]."""
 
-    slender: float
-    longest: float
+    slender: Number
+    longest: Number
 
 
 def thickness_of(layout: "Layout") -> Thickness:
@@ -216,21 +211,11 @@ def thickness_of(layout: "Layout") -> Thickness:
 
     One whose thickness varies counts as one that is as thin as its throat and bends as much.
     """
-    most = longest = 0.0
-    for blade in layout.blades:
-        ends = ((number(e) - number(s)) for s, e in zip(blade.start, blade.end, strict=True))
-        u, weight = gauss_rule(NODES)
-        l = hypot(*ends)
-        pieces, longest = blade.profile.pieces(l), max(longest, l)
-        h, ds = (
-            np.concatenate([np.ravel(part * np.ones(NODES)) for part in parts])
-            for parts in (
-                [piece.thickness(2.0 * u - 1.0) for piece in pieces],
-                [2.0 * weight * piece.slope(2.0 * u - 1.0) for piece in pieces],
-            )
-        )
-        most = max(most, float(h.min() / (ds @ (h.min() / h) ** 3)))
-    return Thickness(most, longest)
+    from flexcli.mechanics.mesh import Effects, meshes
+
+    each = meshes(layout, Effects(), 1)
+    slender = [of_each((m.thinnest / (m.flexible * m.l)).max(axis=1)) for m in each]
+    return Thickness(larger(slender), larger(of_each(m.l.max(axis=1)) for m in each))
 
 
 def stiffness_in(

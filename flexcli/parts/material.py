@@ -12,7 +12,7 @@ from flexcli.formulas.fatigue import (
     fully_reversed_amplitude,
     swt_reversed_amplitude,
 )
-from flexcli.numerics.rows import number
+from flexcli.numerics.rows import Number, number
 from flexcli.parts.base import (
     Density,
     Expansion,
@@ -285,8 +285,8 @@ class Material(Part):
         return self._stiffer * stiffness_in(self.sheet, self.orientation, turned)
 
     def off_as_thick(
-        self, kind: QuantityKind | None, layout: "Layout", travel: float, *, turns: bool
-    ) -> float:
+        self, kind: QuantityKind | None, layout: "Layout", travel: Number, *, turns: bool
+    ) -> Number:
         """Return what thick blades of a directed material in a plane are off besides, relative.
 
         They shear by a modulus of their own, and one that is pulled at an angle to its axes shears.
@@ -299,7 +299,7 @@ class Material(Part):
 
         slender, longest = thickness_of(layout)
         by_square, by_first = self._thick
-        off = (BUCKLED if kind is QuantityKind.BUCKLING else 1.0) * by_square * slender**2
+        off: Number = (BUCKLED if kind is QuantityKind.BUCKLING else 1.0) * by_square * slender**2
         off += by_first * slender
         if kind is QuantityKind.SHIFT and travel:
             off += STRETCHED * self._skewed * slender**2 / (travel if turns else travel / longest)
@@ -312,7 +312,7 @@ class Material(Part):
         *,
         in_space: bool = False,
         is_directed: bool = False,
-        thick: float = 0.0,
+        thick: Number = 0.0,
     ) -> ErrorRange | None:
         """Return an error of a number of a kind, widened by the uncertainty of the moduli.
 
@@ -321,12 +321,11 @@ class Material(Part):
         and error include the direction. Blades that differ change a shift by an unknown amount.
         ``thick`` is what :meth:`off_as_thick` tells.
         """
-        if kind is QuantityKind.SHIFT and self.is_uneven:
+        if self.is_uneven and kind is QuantityKind.SHIFT:
             return None
-        off = self._spread - self._rough if is_directed else self._spread
+        off = thick + (self._spread - self._rough if is_directed else self._spread)
         if not is_directed and (in_space or kind in OUT_OF_PLANE):
             off += self._sheared
-        off += thick
         return error + ErrorRange(-off, off) + self._drifted(kind)
 
     def _drifted(self, kind: QuantityKind | None) -> ErrorRange:

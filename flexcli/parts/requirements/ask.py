@@ -5,7 +5,7 @@ from math import pi
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import Number
+from flexcli.numerics.rows import Number, larger
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
@@ -158,14 +158,24 @@ class Ask(NamedTuple):
         clamped = self.geometry.compliant_clamps(self.sizes, 0.5 if given is None else given.value)
         return 0.0 if clamped is None else clamped.softest
 
-    def off_as_thick(self, kind: QuantityKind | None) -> float:
-        """Return what thick blades of a directed material are off besides in a plane, relative."""
-        if not self.material.is_directed or self.geometry.in_space:
-            return 0.0
-        layout = self.geometry.blades_layout(self.material.elastic, self.sizes)
-        travel = max(map(abs, self.scene.stroke_ends)) if self.scene.moves else 0.0
-        turns = self.geometry.motion == "rotation"
-        return self.material.off_as_thick(kind, layout, travel, turns=turns)
+    def doubted(
+        self,
+        error: ErrorRange,
+        kind: QuantityKind | None,
+        *,
+        in_space: bool = False,
+        is_directed: bool = False,
+    ) -> ErrorRange | None:
+        """Return an error of a number of a kind with what its material leaves unsure."""
+        thick: Number = 0.0
+        if self.material.is_directed and not self.geometry.in_space:
+            layout = self.geometry.blades_layout(self.material.elastic, self.sizes)
+            travel = larger(map(abs, self.scene.stroke_ends)) if self.scene.moves else 0.0
+            turns = self.geometry.motion == "rotation"
+            thick = self.material.off_as_thick(kind, layout, travel, turns=turns)
+        return self.material.doubted(
+            error, kind, in_space=in_space, is_directed=is_directed, thick=thick
+        )
 
 
 class JointModel(ABC):
