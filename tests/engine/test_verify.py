@@ -210,6 +210,16 @@ def test_solids_grow_as_the_temperature_of_the_case_says():
         assert number.apart == pytest.approx(0.0, abs=most[number.name]), number.name
 
 
+def test_clamps_that_hardly_move_hold_thick_blades_as_stiffly_as_others():
+    thick = COLD.replace("h: 0.2 mm", "h: 4 mm").replace("spacing: 20 mm", "spacing: 10 mm")
+    names = ("k_stage", "k_stage_cold")
+    found = flexcli.verify(
+        thick.replace("-60 K, expansion: {moving: 23.6e-6 1/K}", "1 mK"), only=names
+    ).verification.numbers
+    rest, cold = (number.solid for number in found)
+    assert cold == pytest.approx(rest, rel=1e-3)
+
+
 def test_wide_blades_that_their_clamps_hold_across_grow_along_themselves():
     narrow, wide = (
         flexcli.verify(text, only=("shift_cold",)).verification.numbers[0]

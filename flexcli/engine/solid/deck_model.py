@@ -48,7 +48,7 @@ BRICK_NODES = 22
 
 SPACER = 5e3
 """Side of the cube by which a clamp moves as its body grows, over that motion: the second order of
-so small a strain does not matter, and of a longer cube rounding is felt."""
+so small a strain does not matter. It is at least as long as blades are thick, or it would bend."""
 
 SPACER_STIFFNESS = 1e4
 """Stiffness of it over that of the stiffest blade along itself."""
@@ -265,7 +265,8 @@ def _spacer(
     """
     if nodes is None:
         return [*node_set(f"CLAMP{index}", spacer.nodes + 1)]
-    long, (x, y) = SPACER * hypot(*spacer.moved), (c * MM for c in spacer.place)
+    long = max(SPACER * hypot(*spacer.moved), _thickest(model))
+    x, y = (c * MM for c in spacer.place)
     lines, near, far = _brick(first, element, f"SPACER{index}", (x, y), long * MM, nset="SPACERS")
     ref, rot = first + 20, first + 21
     # of a shear the far face moves twice the strain's component
@@ -281,6 +282,11 @@ def _spacer(
         *node_set(f"CLAMP{index}", np.concatenate([spacer.nodes + 1, far])),
         _rigid(f"CLAMP{index}", (ref, rot)), *(["*BOUNDARY", *held] if held else []),
     ]  # fmt: skip
+
+
+def _thickest(model: SolidModel) -> float:
+    """Return how thick the blades are at most [m]."""
+    return max(float(np.ptp(stretch.bricks.places[:, 1])) for stretch in model.stretches)
 
 
 def _axial(model: SolidModel) -> float:
