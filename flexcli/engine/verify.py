@@ -96,8 +96,9 @@ def verify(
     elif any(scene.moves or scene.temperature is not None for scene in design.scenes()):
         text = "a mechanism in space is compared at rest and at assembly alone"
         notes.append(Note("at-rest", text))
-    runs, own = run and calculix.is_installed(), softness(whole[-1]) + rounding(whole[-1])
-    bench = _Bench(runs, meshes, {} if files is None else files, own)
+    runs = run and calculix.is_installed()
+    errors = softness(whole[-1]), rounding(whole[-1])
+    bench = _Bench(runs, meshes, {} if files is None else files, *errors)
     wanted = _named(list(comparisons(asks, _asks_at_stroke(design))), only)
     rows = tuple(bench.row(comparison) for comparison in wanted)
     if not bench.runs:
@@ -234,8 +235,10 @@ class _Bench:
     runs: bool
     meshes: int
     files: MutableMapping[str, str]
-    own: float
-    """Error of solids that no finer mesh tells."""
+    softness: float
+    """Error of solids whose bodies are of finite stiffness, which no finer mesh tells."""
+    rounding: float
+    """Share of a force of solids that is rounding."""
     decks: dict[str, None] = field(default_factory=dict)
     seconds: float = 0.0
     known: dict[str, calculix.Printed] = field(default_factory=dict)
@@ -273,7 +276,8 @@ class _Bench:
         own = None
         if solid is not None and self.meshes > 1 and solid != 0.0:
             try:
-                own = abs(found[-2] / solid - 1.0) + comparison.error() + self.own
+                own = abs(found[-2] / solid - 1.0) + comparison.error()
+                own += self.softness + self.rounding / comparison.of_less
             except NotAvailable as wrong:
                 why = f"what solids leave out: {wrong}"
             if own is not None and own >= 1.0:

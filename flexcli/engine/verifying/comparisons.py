@@ -6,7 +6,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from flexcli.engine.joint_models.exact import ExactModel
-from flexcli.engine.solid.numbers import SolidNumbers, StressPlace, moving_masses
+from flexcli.engine.solid.numbers import BESIDE, SolidNumbers, StressPlace, moving_masses
 from flexcli.engine.verifying.model_numbers import PRINTED, Found, ModelNumbers
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant
@@ -47,6 +47,8 @@ class Comparison(NamedTuple):
     """Kind of a shift or support, whose error a directed material widens in its own way."""
     on_demand: bool = False
     """Whether it takes so long that it is only compared where somebody asks for it."""
+    of_less: float = 1.0
+    """Share of the forces that it is read from which is its own: of all of them is the rounding."""
     directs: Callable[[], bool] = lambda: True
     """Whether the model gives each blade the moduli of its own direction, in a support."""
 
@@ -170,7 +172,7 @@ def _of_case(asked: CaseAsks, model: ModelNumbers, *, many: bool) -> Iterator[Co
             f"k_end{end}", "stiffness at full stroke", unit, alone,
             lambda: model.stiffness_at_end(alone), lambda solid: solid.stiffness_at_end(),
             deck, "change of the effort over that of the motion, steps 1 and 3",
-            lambda: TANGENT, scene.case,
+            lambda: TANGENT, scene.case, of_less=BESIDE,
         )  # fmt: skip
     if scene.moves or scene.temperature is not None:
         when, there = "largest of all steps", alone
