@@ -321,7 +321,7 @@ class _Series:
             doing(f"{requirement.label}, {scene.case}, by the {model.name} model")
             started = perf_counter()
             ask = self.design.ask(scene, self.sizes, model.joint_model) if best else None
-            if ask is not None and not model.may_tell_more(requirement, ask):
+            if ask is not None and not model.may_tell_more(requirement, ask, best.values()):
                 continue
             buckled: Buckled | None = None
             try:

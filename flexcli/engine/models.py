@@ -1,5 +1,6 @@
 """The models of a joint, from the cheapest to the finest, by the names that a user gives them."""
 
+from collections.abc import Iterable
 from functools import cached_property
 
 from flexcli.engine.joint_models.corrected import Corrected
@@ -8,6 +9,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS
 from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Ask, JointModel, Requirement
+from flexcli.results import Check
 
 __all__ = ["MODEL_SERIES", "NamedModel", "model_series", "series_of"]
 
@@ -35,16 +37,20 @@ class NamedModel:
 
         return OutOfPlane(planar)
 
-    def may_tell_more(self, requirement: Requirement, ask: Ask) -> bool:
-        """Return whether it may decide what those before it left open.
+    def may_tell_more(self, requirement: Requirement, ask: Ask, known: Iterable[Check]) -> bool:
+        """Return whether it may decide what those before it left open, ``known`` by their checks.
 
         In a joint of the plane shells judge little, and solids not all. A load that buckles blades
-        whose errors nobody knows would be looked for in vain.
+        whose errors nobody knows would be looked for in vain, and so would be the stiffness of
+        hinges where a pass hangs on what limbs weigh that nobody has weighed.
         """
         if self.name == "shell" and not self.design.geometry.in_space:
             return requirement.by_shells
         if self.name == "solid":
-            return requirement.by_solids
+            unweighed = ask.geometry.has_limbs(ask.material.elastic, ask.sizes)
+            fails = any(check.factor < check.required and not check.is_target for check in known)
+            in_vain = unweighed and requirement.weighs(ask.scene) and not fails
+            return requirement.by_solids and not in_vain
         return requirement.may_be_decided(ask)
 
 

@@ -54,6 +54,9 @@ VALIDITY = (
 )
 """Blades of an isotropic material whose springs are those of CalculiX's solids, h ≤ b."""
 
+TINY = 1e-12
+"""Change by width below which there is none, of a Poisson's ratio of zero."""
+
 NARROWER = (
     Range("b/l", most=2.0, why="wider ones were not compared"),
     Range("h/l", most=0.2, why="thicker ones were not compared"),
@@ -147,6 +150,11 @@ def clamped_blade(
     Phi = 1.2 * E_ / G_thin * (h_ / l_) ** 2
     # clamps hold a thick blade's thickness too, which a plate or sheet narrows and widens
     held = nu**2 * h_ / l_
+    over = np.maximum(plates.bound(nu), TINY)
+    more_pure, more_guided = (
+        plates.beyond_plate(h=h_, l=l_, poisson_ratio=nu, flat=(f - 1.0) / over, ends=ends)[1]
+        for f, ends in ((pure, 2.0), (guided, 6.0))
+    )
     off_pure = plates.factor_error(pure, thin_pure) + held * h_ / l_
     # clamps make the shear more even and less soft
     off_guided = plates.factor_error(guided, thin_guided) + Phi / 10.0 + held / 2.0
@@ -165,7 +173,9 @@ def clamped_blade(
     sheet, bent = sheets.SHEET_ERROR, sheets.GUIDED_ERROR
     low = (sheet, off_guided, bent, -twist.low, sheet, off_pure)
     twisted = np.maximum(twist.high, 0.0) + WIDE_TWISTED * more
-    high = (sheet + held, off_guided, bent + held, twisted, sheet + held, off_pure)
+    high_guided = off_guided + np.maximum(more_guided - held / 2.0, 0.0)
+    high_pure = off_pure + more_pure
+    high = (sheet + held, high_guided, bent + held, twisted, sheet + held, high_pure)
     if across is not None:
         off = np.abs(np.log(gamma))
         thick = h_ / b_ * np.abs(np.sqrt(G_ / G_thin) - 1.0)

@@ -89,6 +89,20 @@ def test_what_exact_beams_leave_undecided_climbs_to_solids(tmp_path):
     assert (check.model, check.verdict.value) == ("solid", "pass")
 
 
+def test_so_does_the_stress_of_vibration(tmp_path):
+    of = {
+        "kind": "elliptic-hinge, e: 0.5 mm, depth: 1 mm, l: 3 mm, b: 1 mm",
+        "case": "asd: {profile: gevs-qualification, q: 20}",
+        "mechanism": "mechanism: {kind: payload, mass: 5 g, inertia: 1e-7 kg*m^2}",
+    }
+    pinned = only(checked(tmp_path, "  dynamic-yield: 1", model="solid", **of))
+    asked = f"  dynamic-yield: {pinned.factor / 1.03}"
+    beams = only(checked(tmp_path, asked, model="exact", **of))
+    assert beams.verdict.value == "undecided"
+    check = only(checked(tmp_path, asked, **of))
+    assert (check.model, check.verdict.value) == ("solid", "pass")
+
+
 def test_a_wide_margin_asks_no_solid(tmp_path):
     assert only(checked(tmp_path, "  stiffness: {min: 1 N*m/rad}")).model != "solid"
 

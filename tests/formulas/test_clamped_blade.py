@@ -47,3 +47,16 @@ def test_springs_are_those_of_the_directed_plate_and_sheet_within_their_error(b,
     assert (off <= found.high + ritz).all()
     # and says no more than that
     assert max(-found.low.min(), found.high.max()) < 0.14
+
+
+@pytest.mark.parametrize(
+    ("h", "by_force", "by_moment"), [(0.03, 0.0023, 0.0013), (0.1, 0.0053, 0.0034)]
+)
+def test_thick_wide_blades_are_within_their_error_as_stiff_as_solids(h, by_force, by_moment):
+    """How much stiffer CalculiX's solids are at the tip (ν = 0.45, b = 3 l, three meshes)."""
+    found = clamped_blade(E=1.0, G=1.0 / 2.9, h=h, l=1.0, b=3.0)
+    plain, stiff = found.stiffness, found.stiffness * (1.0 + found.high)
+    tip, most = (1.0 / (1.0 / k[1] + 0.25 / k[5]) for k in (plain, stiff))
+    assert plain[5] * (1.0 + by_moment) < stiff[5]
+    assert tip * (1.0 + by_force) < most
+    assert most < tip * (1.0 + 4.0 * by_force)

@@ -489,7 +489,10 @@ def finest_answer(spec):
         return solids
     told = {_place(row): row for row in solids.found.get("checks", []) if row["factor_range"]}
     rows = [told.get(_place(row), row) for row in beams.found["checks"]]
-    return beams._replace(found={**beams.found, "checks": rows})
+    whole = beams._replace(found={**beams.found, "checks": rows})
+    # solids are asked of every row, and what the first has found serves the others
+    beside = solids.deciding - solids._replace(found={"checks": list(told.values())}).deciding
+    return whole._replace(beside=beside)
 
 
 def _place(row):

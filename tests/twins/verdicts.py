@@ -38,13 +38,15 @@ class Answer(NamedTuple):
     """What ``flexure check`` printed as JSON, its exit code and how long it took [s].
 
     ``seconds`` are those that the check says it took: in a test the command line is built anew
-    each time, which takes longer than a closed form.
+    each time, which takes longer than a closed form. ``beside`` is what deciding cost besides the
+    rows that are found.
     """
 
     found: dict
     exit_code: int
     seconds: float
     bug: str = ""
+    beside: float = 0.0
 
     @property
     def deciding(self):
@@ -53,7 +55,7 @@ class Answer(NamedTuple):
         for row in self.found.get("checks", []):
             question = (row.get("place") or {}).get("path"), row.get("case")
             each[question] = max(each.get(question, 0.0), row.get("cost") or 0.0)
-        return sum(each.values())
+        return sum(each.values()) + self.beside
 
     def about(self, name):
         """Return what was said of one requirement."""

@@ -134,6 +134,10 @@ class Requirement(Part):
         """Return the kinds of loads of a case that its limits take into account."""
         return frozenset()
 
+    def weighs(self, scene: Scene) -> bool:
+        """Return whether the mass of all that moves is in its number."""
+        return self.is_of_stress and scene.is_accelerated
+
     def may_be_decided(self, ask: Ask) -> bool:
         """Return whether a model may decide it that others left open, as far as is known before."""
         return True

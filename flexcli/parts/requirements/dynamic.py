@@ -76,6 +76,7 @@ class Dynamic(FactorRequirement):
     """A requirement on the peaks or the life under the response of the modes to a moving base."""
 
     closed_form: ClassVar[bool] = False
+    by_solids: ClassVar[bool] = True
 
     peak: Literal["sigma", "duration"] = "sigma"
     """Peaks of a random response: sigma times the rms, or what the duration lets expect,
@@ -85,6 +86,10 @@ class Dynamic(FactorRequirement):
     def applies(self, scene: Scene) -> bool:
         """Return whether the base moves in this case."""
         return self.covers(scene) and bool(scene.loads & SHAKES)
+
+    def weighs(self, scene: Scene) -> bool:
+        """Return True."""
+        return True
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return what shakes the base."""
@@ -258,6 +263,7 @@ class DynamicBuckling(Dynamic):
     """Factor on the peak axial force of the modes, against the least that buckles the joint."""
 
     label: ClassVar[str] = "dynamic buckling"
+    by_solids: ClassVar[bool] = False
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the peak axial force in every joint's blades against their critical force."""

@@ -7,6 +7,7 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
+from flexcli.parts.scene import Scene
 from flexcli.results import QuantityKind
 
 __all__ = ["Frequency"]
@@ -24,6 +25,10 @@ class Frequency(Bound):
     min: _Hertz | None = None
     max: _Hertz | None = None
     equals: _Hertz | None = None
+
+    def weighs(self, scene: Scene) -> bool:
+        """Return True."""
+        return True
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the frequency, squared."""

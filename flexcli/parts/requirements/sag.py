@@ -32,6 +32,10 @@ class Sag(Bound):
         """Return whether the case has a steady acceleration."""
         return scene.acceleration > 0.0
 
+    def weighs(self, scene: Scene) -> bool:
+        """Return True."""
+        return True
+
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return the steady acceleration."""
         return frozenset({LoadKind.ACCELERATION})
