@@ -334,3 +334,18 @@ def test_thick_blades_on_hinges_share_a_force_as_bars_of_a_truss(joint_model):
     sheared = euler / (1.0 + euler * 1.2 / (80.8e9 * b * h))
     force = 2.0 * cos(radians(68.0)) * sheared
     assert found == pytest.approx(force, rel=1.2e-2)
+
+
+@pytest.mark.parametrize(
+    ("h", "ends", "fewer"),
+    [("0.12 mm", "clamped-guided", 0.022), ("0.17 mm", "clamped-clamped", 0.146)],
+)
+def test_a_critical_force_may_be_as_low_as_that_of_solids(h, ends, fewer):
+    """How much earlier CalculiX's solids buckle (b = 0.3 mm, ν = 0.34, small motion)."""
+    elastic = {"name": "elastic", "youngs_modulus": "114 GPa", "poisson_ratio": 0.34}
+    blade = {"kind": "guided-blade", "h": h, "l": "1 mm", "b": "0.3 mm"}
+    case = {"push": {"load": {"force": "1 N"}, "ends": ends}}
+    spec = design(blade, {"buckling": 1.0}, case, material=elastic)
+    found = judge(spec, spec.fixed_sizes(), model_series(spec, "exact")).checks
+    low, _ = found[0].factor_range
+    assert 1.0 - 1.6 * fewer < low / found[0].factor < 1.0 - fewer

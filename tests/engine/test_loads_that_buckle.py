@@ -220,7 +220,7 @@ def test_what_buckles_blades_without_an_error_is_not_looked_for_after_other_mode
     (scene,), sizes = spec.scenes(), spec.fixed_sizes()
     beams = next(model for model in model_series(spec) if model.name == "exact")
     ask = spec.ask(scene, sizes, beams.joint_model)
-    assert beams.may_tell_more(spec.requirements.buckling[0], ask) is known
+    assert beams.may_tell_more(spec.requirements.buckling[0], ask, ()) is known
 
 
 def test_shells_are_asked_of_supports_and_deflections_alone_in_a_joint_of_the_plane():
@@ -232,5 +232,5 @@ def test_shells_are_asked_of_supports_and_deflections_alone_in_a_joint_of_the_pl
     assert shells.name == "shell"
     each = {type(found): found for _, found in spec.requirements.each()}
     ask = spec.ask(scene, sizes, shells.joint_model)
-    told = {kind.label: shells.may_tell_more(found, ask) for kind, found in each.items()}
+    told = {kind.label: shells.may_tell_more(found, ask, ()) for kind, found in each.items()}
     assert told == {"yield": False, "deflection": True}

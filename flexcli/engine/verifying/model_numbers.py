@@ -18,6 +18,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, MOVING, Critical
 from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask, JointModel
+from flexcli.parts.requirements.buckling import strained
 from flexcli.parts.requirements.support import CENTRE
 from flexcli.parts.temperature import held_across
 from flexcli.results import ErrorRange, QuantityKind
@@ -106,8 +107,7 @@ class ModelNumbers:
         error = least.error or self.joint_model.error(ask, QuantityKind.BUCKLING)
         elastic = least.elastic
         if error is not None and elastic is not None:
-            strain = float(np.max(elastic)) / ask.material.elastic.E
-            error = error + ErrorRange(-strain, strain)  # by which laws of finite strain differ
+            error = strained(error, float(np.max(elastic)) / ask.material.elastic.E)
         return float(least.force), error
 
     def law_in_buckling(self, ask: Ask) -> float:
