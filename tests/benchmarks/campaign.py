@@ -4,10 +4,10 @@ Run: python tests/benchmarks/campaign.py [specs] [--first SEED] [--kinds KIND â€
 [--near SHARE] [--alone].
 Each spec is judged with easy requirements; its printed numbers, each 3 % (or SHARE) up or down,
 become the requirements, all at once or one of them alone, which are judged by default and by the
-finest model. Prints what came of them by kind
-and by requirement, which model decided, and what deciding cost over asking the finest model of
-everything. Each spec adds a line to FILE (JSON) as it is done, so that a run which was stopped goes
-on where it was; with 0 specs the tables are those of the file.
+finest model. Prints what came of them by kind, by requirement and by keys that few specs have,
+which model decided, and what deciding cost over asking the finest model of everything. Each spec
+adds a line to FILE (JSON) as it is done, so that a run which was stopped goes on where it was; with
+0 specs the tables are those of the file.
 """
 
 import argparse
@@ -21,6 +21,7 @@ from time import process_time
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from twins.campaign import KINDS, NEAR, tried
+from twins.rare_keys import what_is_rare
 
 SINS = (
     "", "undecided", "lacks a property", "leaves out", "unsafe pass", "false fail", "finding",
@@ -49,6 +50,7 @@ def row_of(seed, kinds, longest, **asked):
     finally:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
     row = {"seed": seed, "kind": found.kind, "spent": process_time() - started}
+    row["rare"] = what_is_rare(found.spec)
     row["seconds"] = [each.deciding if each else 0.0 for each in (found.said, found.finest)]
     outcomes = [
         {
@@ -75,7 +77,10 @@ def table(counts, title):
 def tables(rows):
     """Print what came of all rows of a file."""
     kinds, asked, decided = defaultdict(Counter), defaultdict(Counter), Counter()
+    rare = defaultdict(Counter)
     for row in rows:
+        for name in row.get("rare", ()):
+            rare[name].update(each["sin"] for each in row["outcomes"])
         for each in row["outcomes"]:
             kinds[row["kind"]][each["sin"]] += 1
             asked[each["requirement"]][each["sin"]] += 1
@@ -83,6 +88,7 @@ def tables(rows):
             decided.update(each.get("models", ()))
     table(kinds, "kind")
     table(asked, "requirement")
+    table(rare, "specs with")
     print(f"\n{len(rows)} specs; rows decided by {dict(decided)}")
     timed = [row["seconds"] for row in rows if all(row.get("seconds", [0.0]))]
     if timed:

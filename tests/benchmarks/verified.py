@@ -1,7 +1,7 @@
 """Random joints of the campaign beside solid elements of CalculiX, which share no code with models.
 
 Run: python tests/benchmarks/verified.py [specs] [--first SEED] [--kinds KIND …] [--limit SECONDS]
-[--model MODEL].
+[--model MODEL] [--space]: mechanisms in space, of blades and rods that point any way.
 Each design is meshed and compared by `flexure verify`; a number that is apart from that of solids
 by more than both errors is printed, with both. What takes longer than the limit is left out.
 """
@@ -19,6 +19,7 @@ import yaml
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from twins.campaign import KINDS, scene
+from twins.space_scenes import space_scene
 
 FLEXURE = str(Path(sys.executable).with_name("flexure"))
 
@@ -42,10 +43,11 @@ def main() -> None:
     parser.add_argument("--kinds", nargs="*")
     parser.add_argument("--limit", type=float, default=120.0)
     parser.add_argument("--model")
+    parser.add_argument("--space", action="store_true")
     asked = parser.parse_args()
     ended, compared, apart = Counter(), Counter(), Counter()
     for seed in range(asked.first, asked.first + asked.specs):
-        drawn = scene(seed, tuple(asked.kinds or KINDS))
+        drawn = space_scene(seed) if asked.space else scene(seed, tuple(asked.kinds or KINDS))
         code, found = verified({**drawn.spec, "requirements": drawn.easy}, asked.limit, asked.model)
         ended[code] += 1
         for row in (found.get("verification") or {}).get("numbers", []):

@@ -16,7 +16,7 @@ from twins.kinds import (
     TURNS,
 )
 from twins.rare_keys import draw_rare_keys
-from twins.verdicts import ERROR, FALSE_FAIL, UNDECIDED, UNSAFE, answer, checked, spoken
+from twins.verdicts import ERROR, FALSE_FAIL, UNDECIDED, UNSAFE, Answer, answer, checked, spoken
 
 ENDS = ("clamped-clamped", "clamped-guided", "clamped-pinned", "pinned-pinned", "clamped-free")
 NEAR = 0.03
@@ -28,6 +28,9 @@ asks for one beyond the other."""
 
 LEAST_FACTOR = 0.1
 """A safety factor below which nobody asks: a stress ten times the strength."""
+
+BY_SHELLS = ("parasitic_shift", "deflection", "support")
+"""Requirements of which shells are asked in a joint of the plane."""
 
 EASY = 1e-6
 """A factor that everything keeps: the first look at a design, which prints its factors."""
@@ -476,23 +479,41 @@ def tried(seed, kinds=KINDS, near=NEAR, *, alone=False):
 
 
 def finest_answer(spec):
-    """Return what the finest model says of each row: of notches their solid where that has a range.
+    """Return what the finest model says of each row, by exact beams where no finer one does.
 
-    Everything else is told by exact beams.
+    Of notches that is their solid where it has a range, of other joints shells where they are asked
+    of and have a narrower one.
     """
     beams = answer(spec, "exact")
-    has_solids = spec["geometry"]["kind"] in (*NOTCHES, *LIMBS)
-    if not has_solids or beams.bug or beams.exit_code == 2:
+    if beams.bug or beams.exit_code == 2:
         return beams
-    solids = answer(spec, "solid")
-    if solids.bug:
-        return solids
-    told = {_place(row): row for row in solids.found.get("checks", []) if row["factor_range"]}
-    rows = [told.get(_place(row), row) for row in beams.found["checks"]]
+    if spec["geometry"]["kind"] in (*NOTCHES, *LIMBS):
+        finer = answer(spec, "solid")
+    else:
+        asked = {key: each for key, each in spec["requirements"].items() if key in BY_SHELLS}
+        finer = answer({**spec, "requirements": asked}, "shell") if asked else Answer({}, 0, 0.0)
+    if finer.bug:
+        return finer
+    if finer.exit_code == 2:
+        return beams
+    told = {_place(row): row for row in finer.found.get("checks", []) if row["factor_range"]}
+    rows = [_finer(row, told.get(_place(row))) for row in beams.found["checks"]]
+    # what a row that is not taken cost, and what it found for others, was spent as well
+    kept = [row for row in rows if told.get(_place(row)) is row]
     whole = beams._replace(found={**beams.found, "checks": rows})
-    # solids are asked of every row, and what the first has found serves the others
-    beside = solids.deciding - solids._replace(found={"checks": list(told.values())}).deciding
-    return whole._replace(beside=beside)
+    return whole._replace(beside=finer.deciding - finer._replace(found={"checks": kept}).deciding)
+
+
+def _finer(row, other):
+    """Return the row of a finer model, of shells where it is no less sure than that of beams."""
+    if other is None or (other["model"] == "shell" and _width(other) > _width(row)):
+        return row
+    return other
+
+
+def _width(row):
+    low, high = row["factor_range"] or (0.0, None)
+    return np.inf if high is None else (high - low) / abs(row["factor"] or 1.0)
 
 
 def _place(row):

@@ -5,6 +5,18 @@ They are drawn after everything else, so that what was drawn before them stays a
 
 from twins.kinds import BARS, NOTCHES
 
+PLAIN = "none of these"
+
+
+def what_is_rare(spec):
+    """Return which of the keys that make a joint less known a spec has."""
+    has = {
+        "temperature": any("temperature" in case for case in spec["cases"].values()),
+        "crystal or sheet": "orientation" in spec["material"],
+        "fillets at roots": "root_radius" in spec["geometry"],
+    }
+    return [name for name, is_given in has.items() if is_given] or [PLAIN]
+
 
 def draw_rare_keys(w, spec, requirements, easy):
     """Draw them by a writer of specs; ``easy`` is a factor that everything keeps."""
