@@ -18,15 +18,25 @@ MODEL_SERIES = ("closed-form", "linear", "exact", "shell", "solid")
 
 
 class NamedModel:
-    """A model of a design by its name, made when it is first asked; it keeps what it solved."""
+    """A model of a design by its name, made when it is first asked; it keeps what it solved.
 
-    def __init__(self, design: DesignSpec, name: str) -> None:
+    It shares what the one ``before`` it solves alike.
+    """
+
+    def __init__(self, design: DesignSpec, name: str, before: "NamedModel | None" = None) -> None:
         self.design = design
         self.name = name
+        self.before = before
 
     @cached_property
     def joint_model(self) -> JointModel:
         """Return the model itself."""
+        found = self._made()
+        if self.before is not None:
+            found.shares(self.before.joint_model)
+        return found
+
+    def _made(self) -> JointModel:
         planar = _joint_model(self.design, self.name)
         scenes = self.design.scenes()
         leaves = any(scene.tilts or scene.leaves_plane for scene in scenes)
@@ -66,7 +76,10 @@ def model_series(design: DesignSpec, model: str | None = None) -> tuple[NamedMod
     asked = model or design.model
     if asked is not None:
         return (NamedModel(design, asked),)
-    return tuple(NamedModel(design, name) for name in series_of(design))
+    found: list[NamedModel] = []
+    for name in series_of(design):
+        found.append(NamedModel(design, name, found[-1] if found else None))
+    return tuple(found)
 
 
 def series_of(design: DesignSpec) -> tuple[str, ...]:

@@ -49,6 +49,11 @@ class Corrected(JointModel):
         self.directs_blades = inner.directs_blades
         self._known: Remembered[dict[EffectName, dict[str, Change]]] = Remembered()
 
+    def shares(self, other: JointModel) -> None:
+        """Let the inner models share."""
+        if isinstance(other, Corrected):
+            self.inner.shares(other.inner)
+
     def carried(self, setting: Setting) -> frozenset[EffectName]:
         """Return the effects of the inner model, and those whose values correct it."""
         lacking = {e.name for e in (*self.effects, *self.omitted) if e.lacks(setting)}

@@ -95,6 +95,12 @@ class ExactModel(JointModel):
         self._known_pairs: Remembered[tuple[float, float]] = Remembered("exact", of_blades=True)
         self._known_critical: Remembered[tuple[Critical, ...]] = Remembered(of_blades=True)
 
+    def shares(self, other: JointModel) -> None:
+        """Share the equilibria of beams, which other exact models have as well."""
+        if isinstance(other, ExactModel):
+            self._known_trails, self._known_states = other._known_trails, other._known_states
+            self._known_critical = other._known_critical
+
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the solver's own error: by how much its last two levels of nodes differ.
 

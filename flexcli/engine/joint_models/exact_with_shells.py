@@ -9,7 +9,7 @@ from flexcli.engine.joint_models.space_stroke import support_at_stroke
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import Ask, JointModel
 from flexcli.results import ErrorRange
 
 __all__ = ["ExactWithShells"]
@@ -25,6 +25,12 @@ class ExactWithShells(ExactModel):
     def __init__(self, effects: Effects | None = None) -> None:
         super().__init__(effects)
         self._known_pairs = Remembered("shell", of_blades=True)
+
+    def shares(self, other: JointModel) -> None:
+        """Share the stress of beams as well."""
+        super().shares(other)
+        if type(other) is ExactModel:
+            self._known_stresses = other._known_stresses
 
     def shift_carries(self, ask: Ask) -> frozenset[EffectName]:
         """Return what shells have in a shift and its error."""

@@ -84,12 +84,22 @@ class OutOfPlane(JointModel):
         self.name = inner.name
         self.directs_blades = inner.directs_blades
         self._known: Remembered[_Parts] = Remembered()
+        self._across: Remembered[AcrossStress] = Remembered()
         self._told_by_beams: Remembered[bool] = Remembered()
         self._tilts: Remembered[Tilt] = Remembered()
         self._rocking: Remembered[float] = Remembered()
         self._space = _in_space(inner.name)
         self._is_finest = inner.name in FINEST
         self.at_stroke = inner.at_stroke if self._space is None else self._space.at_stroke
+
+    def shares(self, other: JointModel) -> None:
+        """Share the stress of loads across, which has nothing of the plane, and beams in space."""
+        if not isinstance(other, OutOfPlane):
+            return
+        self._across = other._across
+        if self._is_finest and other._is_finest:
+            self._space = other._space
+        self.inner.shares(other.inner)
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
         """Return the effects of the planar model."""
@@ -383,7 +393,8 @@ class OutOfPlane(JointModel):
         if ask.scene.moves or ask.scene.is_loaded:
             name, planar = self.inner.stresses(ask)
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-        return _Parts(name, planar, across_stress(joint, ask.scene))
+        across = self._across.of("across", ask, lambda: across_stress(joint, ask.scene))
+        return _Parts(name, planar, across)
 
 
 def _on_roots(ask: Ask, error: ErrorRange | None) -> ErrorRange | None:

@@ -198,6 +198,10 @@ class JointModel(ABC):
     directs_blades: bool = True
     """Whether each blade has the moduli of its own direction in a crystal or a sheet there."""
 
+    def shares(self, other: "JointModel") -> None:
+        """Take over what another model of the same design solves that both solve alike."""
+        return
+
     def carried(self, setting: "Setting") -> frozenset[EffectName]:
         """Return the effects that its numbers include in a design."""
         return self.covers | self.always
