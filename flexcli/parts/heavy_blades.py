@@ -27,6 +27,7 @@ from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.own_motion import (
     DENSEST,
     TAKES_PART,
+    either_mode,
     hanging_mass,
     hanging_on,
     own_angular,
@@ -91,6 +92,7 @@ def _frequency(setting: Setting) -> Change | None:
     error = abs(value - _ratio(setting, 0.0)) * _sections(setting)
     if setting.material.elastic.shear is not None:
         value, error = _ratio(setting, rho, thick=True), THICK * error
+    error += (1.0 + value) * _either(setting, rho)
     beside = _redistributed(setting, rho)
     if beside is not None:
         error += beside
@@ -216,6 +218,15 @@ def _ratio(setting: Setting, density: float, *, thick: bool = False) -> float:
         return frequency_change(added / single.mass)
     structure = structure_of(mechanism, geometry, elastic, sizes, None, density, thick=thick)
     return own_angular(structure) / sqrt(float(single.stiffness) / single.mass) - 1.0
+
+
+def _either(setting: Setting, density: float) -> float:
+    """Return by what share the frequency may be that of another mode than the own one."""
+    mechanism = setting.mechanism
+    if mechanism is not None and mechanism.states_stiffness:
+        return 0.0
+    geometry, elastic, sizes = setting.geometry, setting.material.elastic, setting.sizes
+    return either_mode(structure_of(mechanism, geometry, elastic, sizes, None, density))
 
 
 def _sag(setting: Setting) -> Change | None:

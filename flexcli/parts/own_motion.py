@@ -19,6 +19,8 @@ from flexcli.parts.structure import Structure, joined
 __all__ = [
     "DENSEST",
     "TAKES_PART",
+    "UNSURE_PART",
+    "either_mode",
     "hanging_mass",
     "hanging_on",
     "own_angular",
@@ -31,6 +33,10 @@ DENSEST = 22_600.0
 
 TAKES_PART = 0.01
 """Part of the driven motion's compliance from which a mode belongs to it."""
+
+UNSURE_PART = 3.0
+"""Factor by which models may differ in a mode's part: one about as large as that belongs to it in
+one, and not in another."""
 
 KEEPS_WARPING = 1e3
 """Factor by which a notch without warping is stiffer in torsion than its sections."""
@@ -92,20 +98,30 @@ def own_mode(
     return Mode(stiffness, structure.motion_stiffness / own_angular(structure) ** 2)
 
 
-def own_angular(structure: Structure) -> float:
+def own_angular(structure: Structure, part: float = TAKES_PART) -> float:
     """Return the angular frequency [rad/s] of the lowest mode that the own motion takes part in.
 
     Modes are weighed by what they add to the static compliance of the motion, so that a mode
-    which only rocks a body beside the motion does not stand for it.
+    which only rocks a body beside the motion does not stand for it: ``part`` is the least share.
     """
     assert structure.motion is not None  # not locked
     modes = natural_modes(structure.stiffness, structure.mass)
     compliance = (structure.motion @ modes.shapes) ** 2 / modes.angular**2
     whole = 1.0 / structure.motion_stiffness
-    taking = np.flatnonzero(compliance > TAKES_PART * whole)
+    taking = np.flatnonzero(compliance > part * whole)
     if not taking.size:
         raise MechanismError("mechanism", "the body that moves has no mass or inertia", HINT)
     return number(modes.angular[taking[0]])
+
+
+def either_mode(structure: Structure) -> float:
+    """Return by what share a frequency may be that of another mode, whose part may count or not.
+
+    It is nothing where no mode's part is about as small as that.
+    """
+    own = own_angular(structure)
+    parts = TAKES_PART / UNSURE_PART, TAKES_PART * UNSURE_PART
+    return max(abs(own_angular(structure, part) / own - 1.0) for part in parts)
 
 
 def hanging_mass(

@@ -7,7 +7,7 @@ unknown.
 
 from collections.abc import Iterable, Iterator
 from itertools import product
-from math import inf, isfinite, pi
+from math import inf, isfinite
 from typing import NamedTuple
 
 import numpy as np
@@ -21,8 +21,6 @@ from flexcli.mechanics.layout import Load
 from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.space.freedoms import misfit
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
-from flexcli.mechanics.space.linear import SpaceAssembly, assemble
-from flexcli.mechanics.space.modes import SpaceModes, natural_modes, own_blade_frequency
 from flexcli.mechanics.space.second_order import MissedSeat, SecondOrder, stiffened_by_loads
 from flexcli.mechanics.space.states import (
     Acting,
@@ -36,9 +34,7 @@ from flexcli.mechanics.space.states import (
 )
 from flexcli.mechanics.space.stresses import equivalent, hinge_error
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
-from flexcli.parts.material import Material
-from flexcli.parts.own_motion import DENSEST, TAKES_PART
+from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
@@ -46,7 +42,6 @@ from flexcli.parts.worst_places import worst_places
 from flexcli.results import ErrorRange
 
 __all__ = [
-    "INNER",
     "KNOWN",
     "SOFTENED",
     "STIFFENS",
@@ -65,8 +60,6 @@ __all__ = [
     "largest_stress",
     "left_by_temperature",
     "motions",
-    "own_frequency",
-    "parasitic_frequency",
     "sag",
     "senses",
     "spring_change",
@@ -110,10 +103,6 @@ TURNS = 2.0
 SHARES = (1.0, 0.8, 0.6, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2)
 """Of the loads that are of interest, at which a linear state is looked at, to say that nothing
 buckles."""
-
-INNER = 0.8
-"""Ratio of a frequency to that of a blade with fixed ends up to which blades follow their ends
-quasi-statically."""
 
 LATER = 1.05
 """How much larger the orders beyond the first may be than if each were as much of the one before as
@@ -662,53 +651,3 @@ def largest_misfit_stress(
             place = here.where[int(np.argmax(equivalent(here.normal, here.shear)))]
             where = f"{here.name}, {place}, {stresses.names[blade]} being off"
     return Told(found, hull(errors)), where
-
-
-def own_frequency(geometry: Geometry, material: Material, sizes: Sizes) -> Told:
-    """Return the lowest frequency with a part in the driven motion, the drive free [Hz]."""
-    return _frequency(geometry, material, sizes, locked=False)
-
-
-def parasitic_frequency(geometry: Geometry, material: Material, sizes: Sizes) -> Told:
-    """Return the lowest frequency with the drive locked at rest [Hz]."""
-    return _frequency(geometry, material, sizes, locked=True)
-
-
-def _frequency(geometry: Geometry, material: Material, sizes: Sizes, *, locked: bool) -> Told:
-    joint = joint_in_space(geometry, material, sizes)
-    if not any(body.mass for body in joint.layout.bodies):
-        raise NotAvailable("has no body with a mass: give its bodies theirs")
-
-    def angular(assembly: SpaceAssembly) -> float:
-        return _angular(assembly, natural_modes(assembly, locked=locked), locked=locked)
-
-    best = angular(joint.assembly)
-    error = joint.error(angular)
-    # blades of a material without a density may be as heavy as any
-    weighs = material.density.value if material.density is not None else DENSEST
-    bare, loaded = (
-        assemble(geometry.space_layout(material.elastic, sizes, density))
-        for density in (0.0, weighs)
-    )
-    heavy = angular(loaded)
-    ratio = heavy / own_blade_frequency(loaded)
-    if error is None or ratio > INNER:
-        return Told(best / (2.0 * pi), None)
-    # what blades vibrate beside their ends is missing: that of their share of the mass
-    share = max(1.0 - (heavy / angular(bare)) ** 2, 0.0)
-    low = (1.0 + error.low) * (heavy / best) * (1.0 - share * ratio**2 / (1.0 - ratio**2)) - 1.0
-    return Told(best / (2.0 * pi), ErrorRange(low, error.high))
-
-
-def _angular(assembly: SpaceAssembly, modes: SpaceModes, *, locked: bool) -> float:
-    """Return the lowest angular frequency of the modes in question [rad/s]."""
-    if not len(modes.angular):
-        raise NotAvailable("has no mass that moves")
-    if locked:
-        return float(modes.angular[0])
-    row = modes.shapes[assembly.driven]
-    compliance = (row / modes.angular) ** 2
-    taking = np.flatnonzero(compliance > TAKES_PART * compliance.sum())
-    if not taking.size:
-        raise NotAvailable("has no mass or inertia on the body that moves")
-    return float(modes.angular[taking[0]])

@@ -18,7 +18,7 @@ from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action,
 from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
-from flexcli.parts.own_motion import own_angular
+from flexcli.parts.own_motion import TAKES_PART, UNSURE_PART, own_angular
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_states import KNOWN, acting_groups, third_order
@@ -79,7 +79,8 @@ def least_frequency(
     """
     found = likely_structures(mechanism, geometry, material, sizes, 2)
     each = (found.own, *(found.others or ()))
-    return min(own_angular(structure) for structure in each) / (2.0 * pi)
+    part = TAKES_PART / UNSURE_PART
+    return min(own_angular(structure, part) for structure in each) / (2.0 * pi)
 
 
 def _joints(geometry: Geometry, material: Material, sizes: Sizes) -> list[SpaceJoint]:

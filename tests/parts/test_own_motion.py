@@ -13,7 +13,13 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects.blade_mass import BladeMass
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.mechanisms.carried import carried
-from flexcli.parts.own_motion import hanging_mass, own_angular, own_mode, structure_of
+from flexcli.parts.own_motion import (
+    either_mode,
+    hanging_mass,
+    own_angular,
+    own_mode,
+    structure_of,
+)
 
 E, RHO = 114e9, 4430.0
 MATERIAL = {"name": "titanium", "youngs_modulus": "114 GPa", "poisson_ratio": 0.3,
@@ -248,3 +254,31 @@ def test_the_sag_of_a_blade_that_outweighs_what_it_carries_is_as_sure_as_its_own
     assert found.value > 10.0
     assert (1.0 + own / light) / (1.0 + found.value) == pytest.approx(1.0, abs=found.error)
     assert found.error < 0.05
+
+
+@pytest.mark.parametrize(("outer", "counts"), [("1.3 mm", True), ("1.45 mm", False)])
+def test_a_mode_whose_part_is_about_as_small_as_counts_is_in_the_range(outer, counts):
+    """A heavy frame on stiff blades has 1.2 % or 0.9 % of the stage's compliance; 1 % counts."""
+    geometry = folded(frame="50000 kg", stage="1 kg")
+    for name in ("outer-1", "outer-2"):
+        geometry["blades"][name]["h"] = outer
+    found = design(geometry)
+    of = found.geometry, Elastic(E, 0.3), found.fixed_sizes()
+    structure = structure_of(None, *of)
+    share = (0.3 / float(outer.split()[0])) ** 3 / (1.0 + (0.3 / float(outer.split()[0])) ** 3)
+    assert (share > 0.01) == counts
+    frame, stage = (
+        sqrt(2.0 * 12.0 * E * 10e-3 * h**3 / 12.0 / (50e-3) ** 3 / mass)
+        for h, mass in ((float(outer.split()[0]) * 1e-3, 5e4), (0.3e-3, 1.0))
+    )
+    own, other = (frame, stage) if counts else (stage, frame)
+    assert own_angular(structure) == pytest.approx(own, rel=0.02)
+    assert either_mode(structure) == pytest.approx(abs(other / own - 1.0), rel=0.05)
+    assert change(found)["frequency"].error > 0.9 * either_mode(structure)
+
+
+def test_a_mode_that_surely_counts_leaves_the_frequency_sure():
+    found = design(folded())
+    assert (
+        either_mode(structure_of(None, found.geometry, Elastic(E, 0.3), found.fixed_sizes())) == 0
+    )

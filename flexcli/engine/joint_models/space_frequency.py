@@ -17,7 +17,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.own_motion import DENSEST
 from flexcli.parts.requirements import Ask
 from flexcli.parts.space_joint import joint_of
-from flexcli.parts.space_states import INNER
+from flexcli.parts.space_own_motion import INNER
 from flexcli.results import ErrorRange
 
 __all__ = ["locked_frequency"]

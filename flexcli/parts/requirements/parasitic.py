@@ -13,7 +13,8 @@ from flexcli.parts.requirements.base import BoundAtStroke, Limit
 from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, MotionBound, Place
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import joint_of
-from flexcli.parts.space_states import motions, parasitic_frequency
+from flexcli.parts.space_own_motion import parasitic_frequency
+from flexcli.parts.space_states import motions
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["ParasiticFrequency", "ParasiticMotion"]
