@@ -1,11 +1,11 @@
 """Ranges of all models against each other: each claims to hold the same truth, so they overlap.
 
 Run: python tests/benchmarks/model_ranges.py [specs] [--first SEED] [--kinds KIND …]
-[--coupled | --single [--share SHARE]].
-Random specs of the campaign, of loads that act together, or of one small load at a time, are judged
-with easy requirements by closed forms, linear and exact beams and shells in turn, notches by solids
-too, single loads by exact beams of the joint drawn in space; a check of which two ranges lie apart
-has a wrong one, and is printed with both.
+[--coupled | --single [--share SHARE] | --space].
+Random specs of the campaign, of loads that act together, of one small load at a time, or of
+mechanisms in space, are judged with easy requirements by closed forms, linear and exact beams and
+shells in turn, notches by solids too, single loads by exact beams of the joint drawn in space; a
+check of which two ranges lie apart has a wrong one, and is printed with both.
 """
 
 import argparse
@@ -22,6 +22,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from twins.campaign import KINDS, LIMBS, NOTCHES, scene
 from twins.coupled import COUPLED, coupled_scene
 from twins.single_loads import SMALL, single_loads, twin_of
+from twins.space_scenes import loaded_scene
 
 import flexcli
 from flexcli.errors import SolveError, SpecError
@@ -65,7 +66,10 @@ def specs(seed: int, kinds: tuple, asked: argparse.Namespace) -> Iterator[tuple[
             with suppress(SpecError):
                 yield drawn.spec, twin_of(drawn.spec)
         return
-    drawn = (coupled_scene if asked.coupled else scene)(seed, kinds)
+    if asked.space:
+        drawn = loaded_scene(seed)
+    else:
+        drawn = (coupled_scene if asked.coupled else scene)(seed, kinds)
     yield {**drawn.spec, "requirements": drawn.easy}, None
 
 
@@ -78,6 +82,7 @@ def main() -> None:
     ways = parser.add_mutually_exclusive_group()
     ways.add_argument("--coupled", action="store_true", help="loads that act together")
     ways.add_argument("--single", action="store_true", help="one small load at a time")
+    ways.add_argument("--space", action="store_true", help="mechanisms in space")
     parser.add_argument("--share", type=float, default=SMALL, help="of yielding, a single load")
     asked = parser.parse_args()
     kinds = tuple(asked.kinds or (COUPLED if asked.coupled or asked.single else KINDS))

@@ -3,9 +3,10 @@
 import pytest
 from strategies import design
 
-from flexcli.engine.joint_models import exact, out_of_plane
+from flexcli.engine.joint_models import exact, out_of_plane, space_stroke
 from flexcli.engine.judge import judge
 from flexcli.engine.models import NamedModel, model_series, series_of
+from flexcli.errors import SolveError
 
 STEEL = {"name": "steel", "youngs_modulus": "210 GPa", "poisson_ratio": 0.3,
          "yield_strength": "800 MPa", "tensile_strength": "900 MPa"}  # fmt: skip
@@ -62,3 +63,19 @@ def test_each_is_solved_once(monkeypatch):
     (ask,) = one.asks(one.fixed_sizes(), NamedModel(one, "exact").joint_model)
     ask.joint_model.stresses(ask)
     assert found.count("trail_of") == 2 * once > 0
+
+
+def test_a_path_in_space_that_ends_is_followed_once(monkeypatch):
+    followed = []
+
+    def ends(*args, **how):
+        followed.append(args)
+        raise SolveError("no-path", "the path ends", "ask for less")
+
+    monkeypatch.setattr(space_stroke, "solve", ends)
+    one = spec()
+    (ask,) = one.asks(one.fixed_sizes(), NamedModel(one, "exact").joint_model)
+    for _ in range(3):
+        with pytest.raises(SolveError, match="the path ends"):
+            space_stroke.at_travel(ask, 1e-3)
+    assert len(followed) == 1

@@ -68,6 +68,62 @@ def space_scene(seed):
     )  # fmt: skip
 
 
+def loaded_scene(seed):
+    """Return that mechanism under a wrench, and some with a stroke, an acceleration or a shaking.
+
+    Loads strain a blade to between 1e-6 and some share of yielding, as bending tells by its size.
+    """
+    drawn, rng = space_scene(seed), np.random.default_rng(seed + 10**6)
+    geometry, unit = drawn.spec["geometry"], "rad"
+    members = [*geometry.get("blades", {}).values(), *geometry.get("rods", {}).values()]
+    moment = min(_bears(member) for member in members)
+    share = _log(rng, 1e-6, 0.5)
+    wrench = {}
+    for way in rng.permutation(["x", "y", "z", "theta_x", "theta_y", "theta_z"])[:2]:
+        sign = rng.choice([-1.0, 1.0])
+        size = sign * share * moment / (1.0 if "theta" in way else LENGTH)
+        wrench[str(way)] = f"{float(size)!r} N{'*m' if 'theta' in way else ''}"
+    case = {"wrench": wrench}
+    if rng.random() < 0.4:
+        turns = "rotation" in geometry["motion"]
+        travel = _log(rng, 1e-6, 1e-2) * (1.0 if turns else LENGTH)
+        unit = "rad" if turns else "m"
+        case["stroke"] = {"rotation" if turns else "translation": f"{travel!r} {unit}"}
+    if rng.random() < 0.3:
+        case["acceleration"] = {
+            "level": f"{_log(rng, 1e-3, 10.0)!r} g",
+            "axis": str(rng.choice([*"xyz"])),
+        }
+    if rng.random() < 0.3:
+        case |= {"asd": {"profile": "gevs-qualification", "q": 20}}
+    easy = {
+        **drawn.easy, "yield": {"factor": 1e-9}, "buckling": {"factor": 1e-9},
+        "support": [
+            {"direction": str(way), "min": f"1e-12 N{'*m/rad' if 'theta' in way else '/m'}"}
+            for way in rng.permutation(["x", "y", "z", "theta_x", "theta_y", "theta_z"])[:2]
+        ],
+        "deflection": [
+            {"direction": str(way), "max": f"1e3 {'rad' if 'theta' in way else 'm'}"}
+            for way in rng.permutation(["x", "y", "z", "theta_x", "theta_y", "theta_z"])[:2]
+        ],
+        "parasitic_frequency": {"min": "1e-9 Hz"},
+    }  # fmt: skip
+    if "stroke" in case:
+        easy["parasitic_shift"] = {"max": "1e3 m"}
+        case["stroke"]["cycles"] = 1e6
+    if "asd" in case:
+        easy["dynamic-yield"] = {"factor": 1e-9}
+    return drawn._replace(spec={**drawn.spec, "cases": {"work": case}}, easy=easy)
+
+
+def _bears(member):
+    """Return about the moment that a member bears [N·m]."""
+    number = {key: float(member[key].split()[0]) for key in ("h", "b", "d") if key in member}
+    d = number.get("d")
+    section = d**3 / 10.0 if d else number["b"] * number["h"] ** 2 / 6.0
+    return 800e6 * section
+
+
 def _log(rng, low, high):
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_errors import StrokeErrors, beam_errors
+from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along
 from flexcli.mechanics.refinement import LEVELS
 from flexcli.mechanics.space.exact.beams import beams_of
@@ -41,7 +42,9 @@ TOLERANCE = 1e-5
 Loads: TypeAlias = tuple[SpaceLoad, ...]
 """Dead loads on bodies of a layout."""
 
-_KNOWN: WeakKeyDictionary[SpaceJoint, dict[tuple[str, float | None, Loads, bool], SpaceEquilibrium]]
+_Asked: TypeAlias = tuple[str, float | None, Loads, bool]
+
+_KNOWN: WeakKeyDictionary[SpaceJoint, dict[_Asked, SpaceEquilibrium | SolveError]]
 _KNOWN = WeakKeyDictionary()
 
 
@@ -95,23 +98,29 @@ def at_travel(
         held[3 if layout.drive.turns else 0] = travel
         motion, frames = {layout.drive.body: held}, drive_frame(layout.drive)
         if ask.near is None:
-            known[key] = solve(
-                layout,
-                motion,
-                loads=loads,
-                frames=frames,
-                tolerance=blades.tolerance,
-                levels=blades.levels,
-                made=blades.made,
-            ).checked()
+            try:
+                known[key] = solve(
+                    layout,
+                    motion,
+                    loads=loads,
+                    frames=frames,
+                    tolerance=blades.tolerance,
+                    levels=blades.levels,
+                    made=blades.made,
+                ).checked()
+            except SolveError as error:  # whoever asks next need not look for it again
+                known[key] = error
         else:
             near = ask.near._replace(scene=ask.scene)
             about = at_travel(near, travel, blades, loads=loads, warm=warm)
             known[key] = beside(about, layout, motion, loads=loads, frames=frames, made=blades.made)
+    found = known[key]
+    if isinstance(found, SolveError):
+        raise found
     at_rest = travel == 0.0 and not loads and heat is None
-    if ask.near is None and not at_rest and known[key].unstable:
+    if ask.near is None and not at_rest and found.unstable:
         raise NotAvailable(f"buckles {_under(travel, loads)}")
-    return known[key]
+    return found
 
 
 def _under(travel: float | None, loads: Loads) -> str:
