@@ -228,3 +228,16 @@ def test_what_flat_throats_and_fillets_bear_in_their_middle_is_in_the_range_of_b
     assert solid.demand > least * beams.demand
     assert beams.factor_range[0] < solid.factor_range[0]
     assert beams.factor_range[1] > solid.factor_range[1]
+
+
+def test_a_range_that_says_nothing_of_a_stress_holds_what_is_told(tmp_path):
+    """Two errors beyond all of a stress had a product that was larger than it, both ways."""
+    of = {
+        "kind": "notch-hinge, e: 76 um, r: 3.39 mm, b: 5.15 mm",
+        "case": "stroke: {rotation: 20 urad}, acceleration: {level: 755 g, axis: y}",
+        "mechanism": "mechanism: {kind: payload, mass: 0.444 g, inertia: 2.04e-8 kg*m^2}",
+        "blocks": "blocks: 5 mm",
+    }
+    check = only(checked(tmp_path, "  yield: 0.5", model="solid", **of))
+    assert check.factor_range is None or check.factor_range[0] <= check.factor
+    assert check.factor_range is None or check.factor_range[1] >= check.factor

@@ -245,8 +245,11 @@ class Corrected(JointModel):
             left = self._left(ask, kind, found)
             if left is None or beside is None:
                 return None
-            # of the corrected stress, whatever the corrections leave
-            low, high = ((1.0 + a) * (1.0 + b) - 1.0 for a, b in zip(left, beside, strict=True))
+            # of the corrected stress, whatever the corrections leave; nothing is less than none
+            low, high = (
+                larger(1.0 + a, 0.0) * larger(1.0 + b, 0.0) - 1.0
+                for a, b in zip(left, beside, strict=True)
+            )
             if EffectName.THICK_NOTCH not in self.inner.always:  # solids have the peak itself
                 low = (1.0 + low) * (1.0 - ask.geometry.peaks_above(ask.sizes)) - 1.0
             return ErrorRange(low, high) if isfinite(low) and isfinite(high) else None
@@ -425,7 +428,7 @@ class Corrected(JointModel):
         found += left
         if not (isfinite(found.low) and isfinite(found.high)):
             return None
-        return ErrorRange((1.0 + found.low) * low - 1.0, (1.0 + found.high) * high - 1.0)
+        return ErrorRange(larger(1.0 + found.low, 0.0) * low - 1.0, (1.0 + found.high) * high - 1.0)
 
     def _changes(self, ask: Ask, effect: ModelEffect) -> dict[str, Change]:
         """Return all that an effect changes, found once for every number and its error."""
