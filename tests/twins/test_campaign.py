@@ -16,3 +16,13 @@ def test_a_random_spec_near_its_limit_is_judged_without_a_sin(seed):
     assert found.sin != BUG, (found.spec, found.said.bug)
     for each in found.outcomes:
         assert each.sin != UNSAFE, (found.spec, each.said.factors, each.finest.factors)
+        for said in (each.said, each.finest):
+            assert all(map(is_inside, said.factors, said.ranges)), (found.spec, said)
+
+
+def is_inside(factor, between):
+    """Return whether a factor is between the ends of its range, an end of nothing being none."""
+    if factor is None or between is None:
+        return True
+    low, high = between
+    return low * (1.0 - 1e-9) <= factor and (high is None or factor <= high * (1.0 + 1e-9))
