@@ -152,3 +152,31 @@ def test_a_crossed_pivot_wider_than_the_beams_compared_is_judged_as_shells(tmp_p
     assert (check.model, check.verdict.value) == ("shell", "pass")
     assert check.source.endswith("thin shells")
     assert check.factor == pytest.approx(exact.factor, rel=0.06)
+
+
+CANTILEVER = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, yield_strength: 800 MPa}}
+geometry:
+  kind: space-layout
+  bodies: {{top: {{at: [0 mm, 0 mm, 20 mm], mass: 1 kg}}}}
+  blades:
+    leaf: {{between: [ground, top], from: [0 mm, 0 mm, 0 mm], to: [0 mm, 0 mm, 20 mm],
+           h: 0.1 mm, b: {b} mm, width: y}}
+  moving: top
+  motion: {{translation: x}}
+cases: {{pushed: {{wrench: {{{wrench}}}}}}}
+requirements: {{yield: 1}}
+"""
+
+
+@pytest.mark.parametrize("b", [5, 20, 30])
+@pytest.mark.parametrize("wrench", ["z: 0.1 N", "y: 0.1 N", "theta_x: 1 N*mm"])
+def test_the_stress_of_shells_is_nominal_outside_of_the_corners_of_clamps(b, wrench):
+    """Where a sheet is pulled or bent in its plane its corners have no bound, unlike beams."""
+    text = CANTILEVER.format(b=b, wrench=wrench)
+    beams, shells = (
+        only(flexcli.verdicts(text, model=model)).factor_range for model in ("exact", "shell")
+    )
+    assert shells[0] <= beams[1] * (1.0 + 1e-9)
+    assert beams[0] <= shells[1] * (1.0 + 1e-9)

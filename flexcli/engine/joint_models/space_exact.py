@@ -211,9 +211,12 @@ class SpaceExactModel(SpaceLinearModel):
         found = self.signed_stresses(state)
         return max((float(np.max(np.abs(each))), name) for name, each in found.items())
 
-    def warped(self, state: SpaceEquilibrium) -> float:
-        """Return the largest stress of restrained warping, whose spread beams do not know [Pa]."""
-        return max(float(np.max(each.warping)) for each in blade_stresses(state))
+    def unsure_stress(self, state: SpaceEquilibrium) -> float:
+        """Return how unsure the largest stress is besides [Pa].
+
+        It is of restrained warping, whose spread beams do not know.
+        """
+        return WARPING_ERROR * max(float(np.max(each.warping)) for each in blade_stresses(state))
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the box around it by exact beams, and the bodies that have no outline."""
@@ -330,7 +333,7 @@ class SpaceExactModel(SpaceLinearModel):
                 most = max(most, known)
                 for state in ends:
                     largest = max(largest, self.largest_stress(state)[0])
-                    unsure = max(unsure, beside + WARPING_ERROR * self.warped(state))
+                    unsure = max(unsure, beside + self.unsure_stress(state))
         except (NotAvailable, SolveError):
             return None
         most += unsure / largest

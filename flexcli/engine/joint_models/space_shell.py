@@ -15,7 +15,7 @@ from flexcli.engine.joint_models.space_stroke import Blades, at_travel, driven_c
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.shell.first_guess import SHELL_LEVELS, shells_from_beams
-from flexcli.mechanics.shell.stresses import rod_stresses, shell_stresses
+from flexcli.mechanics.shell.stresses import CORNER, rod_stresses, shell_stresses
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.support import driven_stiffness
 from flexcli.parts.elastic import NotAvailable
@@ -79,19 +79,28 @@ class SpaceShellModel(SpaceExactModel):
 
     def signed_stresses(self, state: SpaceEquilibrium) -> dict[str, Floats]:
         """Return von Mises' stress at places of both faces, signed as the stress along [Pa]."""
-        found = beam_peaks(rod_stresses(state))
-        for blade in shell_stresses(state):
-            signed = np.where(blade.along < 0.0, -blade.equivalent, blade.equivalent)
-            found[blade.name] = signed.ravel()
-        return found
+        return _signed(state, CORNER)
 
     def swings(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> dict[str, Floats]:
         """Return half of von Mises' stress of what changes in rods: shells keep their signs."""
         return beam_swings(rod_stresses(first), rod_stresses(last))
 
-    def warped(self, state: SpaceEquilibrium) -> float:
-        """Return nothing: shells know how restrained warping spreads."""
-        return 0.0
+    def unsure_stress(self, state: SpaceEquilibrium) -> float:
+        """Return by how much less it is where corners count that are twice as large [Pa]."""
+        one, other = (
+            max(float(np.max(np.abs(each))) for each in _signed(state, share).values())
+            for share in (CORNER, 2.0 * CORNER)
+        )
+        return one - other
+
+
+def _signed(state: SpaceEquilibrium, corner: float) -> dict[str, Floats]:
+    """Return von Mises' stress at places outside corners of a size, signed as that along [Pa]."""
+    found = beam_peaks(rod_stresses(state))
+    for blade in shell_stresses(state, corner):
+        signed = np.where(blade.along < 0.0, -blade.equivalent, blade.equivalent)
+        found[blade.name] = signed.ravel()
+    return found
 
 
 def _driven(state: SpaceEquilibrium) -> float:
