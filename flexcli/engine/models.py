@@ -58,10 +58,17 @@ class NamedModel:
             return requirement.by_shells
         if self.name == "solid":
             unweighed = ask.geometry.has_limbs(ask.material.elastic, ask.sizes)
-            fails = any(check.factor < check.required and not check.is_target for check in known)
-            in_vain = unweighed and requirement.weighs(ask.scene) and not fails
+            in_vain = (
+                unweighed and requirement.weighs(ask.scene) and all(map(_hangs_on_mass, known))
+            )
             return requirement.by_solids and not in_vain
         return requirement.may_be_decided(ask)
+
+
+def _hangs_on_mass(check: Check) -> bool:
+    """Return whether a check that no mass lets fail may fail by some, whatever the stiffness is."""
+    low = 0.0 if check.factor_range is None else check.factor_range[0]
+    return low <= 0.0 and (check.factor >= check.required or check.is_target)
 
 
 def model_series(design: DesignSpec, model: str | None = None) -> tuple[NamedModel, ...]:
