@@ -57,11 +57,9 @@ class NamedModel:
         if self.name == "shell" and not self.design.geometry.in_space:
             return requirement.by_shells
         if self.name == "solid":
-            unweighed = ask.geometry.has_limbs(ask.material.elastic, ask.sizes)
-            in_vain = (
-                unweighed and requirement.weighs(ask.scene) and all(map(_hangs_on_mass, known))
-            )
-            return requirement.by_solids and not in_vain
+            hangs = requirement.weighs(ask.scene) and all(map(_hangs_on_mass, known))
+            unweighed = hangs and ask.geometry.has_limbs(ask.material.elastic, ask.sizes)
+            return requirement.by_solids and not unweighed
         return requirement.may_be_decided(ask)
 
 

@@ -54,9 +54,6 @@ VALIDITY = (
 )
 """Blades of an isotropic material whose springs are those of CalculiX's solids, h ≤ b."""
 
-TINY = 1e-12
-"""Change by width below which there is none, of a Poisson's ratio of zero."""
-
 NARROWER = (
     Range("b/l", most=2.0, why="wider ones were not compared"),
     Range("h/l", most=0.2, why="thicker ones were not compared"),
@@ -150,10 +147,11 @@ def clamped_blade(
     Phi = 1.2 * E_ / G_thin * (h_ / l_) ** 2
     # clamps hold a thick blade's thickness too, which a plate or sheet narrows and widens
     held = nu**2 * h_ / l_
-    over = np.maximum(plates.bound(nu), TINY)
     more_pure, more_guided = (
-        plates.beyond_plate(h=h_, l=l_, poisson_ratio=nu, flat=(f - 1.0) / over, ends=ends)[1]
-        for f, ends in ((pure, 2.0), (guided, 6.0))
+        plates.beyond_plate(
+            h=h_, l=l_, poisson_ratio=nu, flat=plates.flat_share(factor, nu), ends=ends
+        )[1]
+        for factor, ends in ((pure, 2.0), (guided, 6.0))
     )
     off_pure = plates.factor_error(pure, thin_pure) + held * h_ / l_
     # clamps make the shear more even and less soft

@@ -23,6 +23,7 @@ __all__ = [
     "effective_width",
     "end_moment_factor",
     "factor_error",
+    "flat_share",
     "guided_factor",
     "limb_hinge_factor",
     "pivot_factor",
@@ -40,6 +41,10 @@ OF_WIDENING = 0.12
 
 THICKNESS_SHARE = 0.3
 """Largest error of ``effective_width``, as a share of what it takes from a factor."""
+
+
+TINY = 1e-12
+"""Stiffening of a plate below which there is none."""
 
 
 class FlatShare(NamedTuple):
@@ -454,6 +459,12 @@ def beyond_plate(
     kept = n * (0.0655 - 0.0155 * plane) * plane**2 * slender
     less = flat * np.maximum(sheared * bound(nu) - kept, 0.0)
     return np.asarray(less), np.asarray(flat * kept + 0.04 * sheared * slender)
+
+
+def flat_share(factor: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
+    """Return the share of a plate's stiffening that a blade has, none without Poisson's ratio."""
+    over = np.maximum(bound(poisson_ratio), TINY)
+    return np.asarray((np.asarray(factor, dtype=np.float64) - 1.0) / over)
 
 
 def ratio(b: ArrayLike, h: ArrayLike, l: ArrayLike) -> Floats:

@@ -39,6 +39,7 @@ __all__ = [
     "stiffness_in",
     "thickness_of",
 ]
+
 Floats = NDArray[np.float64]
 
 WAFERS = {

@@ -26,14 +26,15 @@ from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.own_motion import (
     DENSEST,
-    TAKES_PART,
     either_mode,
+    first_taking,
     hanging_mass,
     hanging_on,
     own_angular,
     own_mode,
     structure_of,
 )
+from flexcli.parts.structure import Structure
 
 __all__ = ["changes"]
 
@@ -88,11 +89,12 @@ def _frequency(setting: Setting) -> Change | None:
         return SLOWER
     density = setting.material.density
     rho = DENSEST if density is None else density.value
-    value = _ratio(setting, rho)
-    error = abs(value - _ratio(setting, 0.0)) * _sections(setting)
+    own = _own(setting, rho)
+    value, error = own.ratio, abs(own.ratio - _own(setting, 0.0).ratio) * _sections(setting)
     if setting.material.elastic.shear is not None:
-        value, error = _ratio(setting, rho, thick=True), THICK * error
-    error += (1.0 + value) * _either(setting, rho)
+        value, error = _own(setting, rho, thick=True).ratio, THICK * error
+    if own.structure is not None:
+        error += (1.0 + value) * either_mode(own.structure)
     beside = _redistributed(setting, rho)
     if beside is not None:
         error += beside
@@ -170,7 +172,9 @@ def _bent(setting: Setting, density: float) -> _Bent | None:
         return None
     modes = natural_modes(structure.stiffness, structure.mass)
     share = (structure.motion @ modes.shapes) ** 2 / modes.angular**2 * structure.motion_stiffness
-    own = int(np.argmax(share > TAKES_PART))
+    own = first_taking(share, 1.0)
+    if own is None:
+        return None
     others = np.delete(modes.angular, own) / modes.angular[own]
     mixed = np.any((others < APART) & (others > 1.0 / APART))
     if mixed or share[:own].max(initial=0.0) > BESIDE or share[own] < 0.5:
@@ -207,26 +211,27 @@ def _along(blade: Blade, bending: Floats) -> _Bent:
     return _Bent(slope, still, still * square / mean, mouths)
 
 
-def _ratio(setting: Setting, density: float, *, thick: bool = False) -> float:
-    """Return the frequency of the own mode over √(k/m) of the one freedom, less one."""
+class _Own(NamedTuple):
+    """The own mode: its frequency over √(k/m) of the one freedom, less one; what vibrates.
+
+    Nothing is told to vibrate where the stiffness of the motion is stated.
+    """
+
+    ratio: float
+    structure: Structure | None
+
+
+def _own(setting: Setting, density: float, *, thick: bool = False) -> _Own:
     geometry, elastic, sizes = setting.geometry, setting.material.elastic, setting.sizes
     mechanism = setting.mechanism
     joint = carried(geometry, elastic, sizes, thick=thick).motion_stiffness
     single = own_mode(mechanism, joint, geometry, elastic, sizes)
     if mechanism is not None and mechanism.states_stiffness:
         added = mechanism.blades_in_motion(geometry, elastic, sizes, density) if density else 0.0
-        return frequency_change(added / single.mass)
+        return _Own(frequency_change(added / single.mass), None)
     structure = structure_of(mechanism, geometry, elastic, sizes, None, density, thick=thick)
-    return own_angular(structure) / sqrt(float(single.stiffness) / single.mass) - 1.0
-
-
-def _either(setting: Setting, density: float) -> float:
-    """Return by what share the frequency may be that of another mode than the own one."""
-    mechanism = setting.mechanism
-    if mechanism is not None and mechanism.states_stiffness:
-        return 0.0
-    geometry, elastic, sizes = setting.geometry, setting.material.elastic, setting.sizes
-    return either_mode(structure_of(mechanism, geometry, elastic, sizes, None, density))
+    alone = sqrt(float(single.stiffness) / single.mass)
+    return _Own(own_angular(structure) / alone - 1.0, structure)
 
 
 def _sag(setting: Setting) -> Change | None:

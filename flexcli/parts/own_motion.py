@@ -1,6 +1,9 @@
 """The mechanism's driven motion: its mode among all modes of bodies and heavy blades."""
 
+from collections.abc import Iterable
+
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.formulas.blade_spring import Warping
@@ -21,12 +24,15 @@ __all__ = [
     "TAKES_PART",
     "UNSURE_PART",
     "either_mode",
+    "first_taking",
     "hanging_mass",
     "hanging_on",
     "own_angular",
     "own_mode",
     "structure_of",
 ]
+
+Floats = NDArray[np.float64]
 
 DENSEST = 22_600.0
 """Density of osmium [kg/m³], the upper limit for blades of unknown material."""
@@ -104,14 +110,7 @@ def own_angular(structure: Structure, part: float = TAKES_PART) -> float:
     Modes are weighed by what they add to the static compliance of the motion, so that a mode
     which only rocks a body beside the motion does not stand for it: ``part`` is the least share.
     """
-    assert structure.motion is not None  # not locked
-    modes = natural_modes(structure.stiffness, structure.mass)
-    compliance = (structure.motion @ modes.shapes) ** 2 / modes.angular**2
-    whole = 1.0 / structure.motion_stiffness
-    taking = np.flatnonzero(compliance > part * whole)
-    if not taking.size:
-        raise MechanismError("mechanism", "the body that moves has no mass or inertia", HINT)
-    return number(modes.angular[taking[0]])
+    return _lowest_taking(structure, (part,))[0]
 
 
 def either_mode(structure: Structure) -> float:
@@ -119,9 +118,29 @@ def either_mode(structure: Structure) -> float:
 
     It is nothing where no mode's part is about as small as that.
     """
-    own = own_angular(structure)
-    parts = TAKES_PART / UNSURE_PART, TAKES_PART * UNSURE_PART
-    return max(abs(own_angular(structure, part) / own - 1.0) for part in parts)
+    parts = TAKES_PART, TAKES_PART / UNSURE_PART, TAKES_PART * UNSURE_PART
+    own, *others = _lowest_taking(structure, parts)
+    return max(abs(other / own - 1.0) for other in others)
+
+
+def first_taking(compliance: Floats, whole: float, part: float = TAKES_PART) -> int | None:
+    """Return the first of some modes that adds more than a part to the whole compliance, if any."""
+    taking = np.flatnonzero(compliance > part * whole)
+    return int(taking[0]) if taking.size else None
+
+
+def _lowest_taking(structure: Structure, parts: Iterable[float]) -> list[float]:
+    """Return the angular frequencies of the lowest modes that take these parts at least [rad/s]."""
+    assert structure.motion is not None  # not locked
+    modes = natural_modes(structure.stiffness, structure.mass)
+    compliance = (structure.motion @ modes.shapes) ** 2 / modes.angular**2
+    found = []
+    for part in parts:
+        first = first_taking(compliance, 1.0 / structure.motion_stiffness, part)
+        if first is None:
+            raise MechanismError("mechanism", "the body that moves has no mass or inertia", HINT)
+        found.append(number(modes.angular[first]))
+    return found
 
 
 def hanging_mass(

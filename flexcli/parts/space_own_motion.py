@@ -1,15 +1,15 @@
 """Lowest frequency of a mechanism in space at rest, its drive free or locked, with its error."""
 
+from functools import cache, partial
 from math import pi
-
-import numpy as np
+from typing import NamedTuple
 
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.modes import natural_modes, own_blade_frequency
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
-from flexcli.parts.own_motion import DENSEST, TAKES_PART, UNSURE_PART
+from flexcli.parts.own_motion import DENSEST, TAKES_PART, UNSURE_PART, first_taking
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import Told
 from flexcli.results import ErrorRange
@@ -39,16 +39,15 @@ def _frequency(geometry: Geometry, material: Material, sizes: Sizes, *, locked: 
     if not any(body.mass for body in joint.layout.bodies):
         raise NotAvailable("has no body with a mass: give its bodies theirs")
 
-    def angular(assembly: SpaceAssembly) -> float:
-        return _angular(assembly, TAKES_PART, locked=locked)
+    angular = cache(partial(_angular, locked=locked))
 
     def lower(assembly: SpaceAssembly) -> float:
-        return _angular(assembly, TAKES_PART / UNSURE_PART, locked=locked)
+        return angular(assembly).lower
 
     def higher(assembly: SpaceAssembly) -> float:
-        return _angular(assembly, TAKES_PART * UNSURE_PART, locked=locked)
+        return angular(assembly).higher
 
-    best, error, above = angular(joint.assembly), joint.error(lower), joint.error(higher)
+    best, error, above = angular(joint.assembly).own, joint.error(lower), joint.error(higher)
     # blades of a material without a density may be as heavy as any
     weighs = material.density.value if material.density is not None else DENSEST
     bare, loaded = (
@@ -66,19 +65,29 @@ def _frequency(geometry: Geometry, material: Material, sizes: Sizes, *, locked: 
     return Told(best / (2.0 * pi), ErrorRange(low - 1.0, high - 1.0))
 
 
-def _angular(assembly: SpaceAssembly, part: float, *, locked: bool) -> float:
-    """Return the lowest angular frequency of the modes in question [rad/s].
+class _Lowest(NamedTuple):
+    """Lowest angular frequencies [rad/s]: the own one, and of what may be the own mode as well."""
 
-    With the drive free they are those whose share of its compliance is a ``part`` at least.
+    own: float
+    lower: float
+    higher: float
+
+
+def _angular(assembly: SpaceAssembly, *, locked: bool) -> _Lowest:
+    """Return the lowest angular frequencies of the modes in question.
+
+    With the drive free they are those that take part in its compliance.
     """
     modes = natural_modes(assembly, locked=locked)
     if not len(modes.angular):
         raise NotAvailable("has no mass that moves")
     if locked:
-        return float(modes.angular[0])
-    row = modes.shapes[assembly.driven]
-    compliance = (row / modes.angular) ** 2
-    taking = np.flatnonzero(compliance > part * compliance.sum())
-    if not taking.size:
-        raise NotAvailable("has no mass or inertia on the body that moves")
-    return float(modes.angular[taking[0]])
+        return _Lowest(*3 * (float(modes.angular[0]),))
+    compliance = (modes.shapes[assembly.driven] / modes.angular) ** 2
+    found = []
+    for part in (TAKES_PART, TAKES_PART / UNSURE_PART, TAKES_PART * UNSURE_PART):
+        first = first_taking(compliance, compliance.sum(), part)
+        if first is None:
+            raise NotAvailable("has no mass or inertia on the body that moves")
+        found.append(float(modes.angular[first]))
+    return _Lowest(*found)

@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from twins.coupled import FORCES, MOMENTS
+
 LENGTH = 20e-3
 """Of a blade, about [m]."""
 
@@ -74,15 +76,14 @@ def loaded_scene(seed):
     Loads strain a blade to between 1e-6 and some share of yielding, as bending tells by its size.
     """
     drawn, rng = space_scene(seed), np.random.default_rng(seed + 10**6)
-    geometry, unit = drawn.spec["geometry"], "rad"
+    geometry = drawn.spec["geometry"]
     members = [*geometry.get("blades", {}).values(), *geometry.get("rods", {}).values()]
     moment = min(_bears(member) for member in members)
     share = _log(rng, 1e-6, 0.5)
     wrench = {}
-    for way in rng.permutation(["x", "y", "z", "theta_x", "theta_y", "theta_z"])[:2]:
-        sign = rng.choice([-1.0, 1.0])
-        size = sign * share * moment / (1.0 if "theta" in way else LENGTH)
-        wrench[str(way)] = f"{float(size)!r} N{'*m' if 'theta' in way else ''}"
+    for way in _two(rng):
+        size = rng.choice([-1.0, 1.0]) * share * moment / (1.0 if way in MOMENTS else LENGTH)
+        wrench[way] = f"{float(size)!r} {'N*m' if way in MOMENTS else 'N'}"
     case = {"wrench": wrench}
     if rng.random() < 0.4:
         turns = "rotation" in geometry["motion"]
@@ -99,12 +100,12 @@ def loaded_scene(seed):
     easy = {
         **drawn.easy, "yield": {"factor": 1e-9}, "buckling": {"factor": 1e-9},
         "support": [
-            {"direction": str(way), "min": f"1e-12 N{'*m/rad' if 'theta' in way else '/m'}"}
-            for way in rng.permutation(["x", "y", "z", "theta_x", "theta_y", "theta_z"])[:2]
+            {"direction": way, "min": f"1e-12 {'N*m/rad' if way in MOMENTS else 'N/m'}"}
+            for way in _two(rng)
         ],
         "deflection": [
-            {"direction": str(way), "max": f"1e3 {'rad' if 'theta' in way else 'm'}"}
-            for way in rng.permutation(["x", "y", "z", "theta_x", "theta_y", "theta_z"])[:2]
+            {"direction": way, "max": f"1e3 {'rad' if way in MOMENTS else 'm'}"}
+            for way in _two(rng)
         ],
         "parasitic_frequency": {"min": "1e-9 Hz"},
     }  # fmt: skip
@@ -114,6 +115,10 @@ def loaded_scene(seed):
     if "asd" in case:
         easy["dynamic-yield"] = {"factor": 1e-9}
     return drawn._replace(spec={**drawn.spec, "cases": {"work": case}}, easy=easy)
+
+
+def _two(rng):
+    return [str(way) for way in rng.permutation([*FORCES, *MOMENTS])[:2]]
 
 
 def _bears(member):

@@ -40,7 +40,7 @@ from flexcli.mechanics.space.layout import SpaceLayout
 from flexcli.mechanics.space.states import Acting, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import Buckled, NotAvailable
-from flexcli.parts.own_motion import TAKES_PART
+from flexcli.parts.own_motion import first_taking
 from flexcli.parts.requirements import (
     Ask,
     CriticalShare,
@@ -211,8 +211,8 @@ class SpaceExactModel(SpaceLinearModel):
         found = self.signed_stresses(state)
         return max((float(np.max(np.abs(each))), name) for name, each in found.items())
 
-    def unsure_stress(self, state: SpaceEquilibrium) -> float:
-        """Return how unsure the largest stress is besides [Pa].
+    def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> float:
+        """Return how unsure the largest stress of a state is besides [Pa].
 
         It is of restrained warping, whose spread beams do not know.
         """
@@ -332,8 +332,9 @@ class SpaceExactModel(SpaceLinearModel):
                     return None
                 most = max(most, known)
                 for state in ends:
-                    largest = max(largest, self.largest_stress(state)[0])
-                    unsure = max(unsure, beside + self.unsure_stress(state))
+                    here = self.largest_stress(state)[0]
+                    largest = max(largest, here)
+                    unsure = max(unsure, beside + self.unsure_stress(state, here))
         except (NotAvailable, SolveError):
             return None
         most += unsure / largest
@@ -553,7 +554,9 @@ def _own_frequency(state: SpaceEquilibrium) -> float:
     row = found.shapes[0][driven_coordinate(state.layout)]
     frequency = found.frequency[0]
     compliance = (row / frequency) ** 2
-    return float(frequency[np.flatnonzero(compliance > TAKES_PART * compliance.sum())[0]])
+    first = first_taking(compliance, compliance.sum())
+    assert first is not None  # one of them takes as much
+    return float(frequency[first])
 
 
 def _travel(state: SpaceEquilibrium) -> float:

@@ -85,13 +85,10 @@ class SpaceShellModel(SpaceExactModel):
         """Return half of von Mises' stress of what changes in rods: shells keep their signs."""
         return beam_swings(rod_stresses(first), rod_stresses(last))
 
-    def unsure_stress(self, state: SpaceEquilibrium) -> float:
+    def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> float:
         """Return by how much less it is where corners count that are twice as large [Pa]."""
-        one, other = (
-            max(float(np.max(np.abs(each))) for each in _signed(state, share).values())
-            for share in (CORNER, 2.0 * CORNER)
-        )
-        return one - other
+        outside = _signed(state, 2.0 * CORNER).values()
+        return largest - max(float(np.max(np.abs(each))) for each in outside)
 
 
 def _signed(state: SpaceEquilibrium, corner: float) -> dict[str, Floats]:

@@ -29,6 +29,7 @@ from flexcli.mechanics.mesh import single
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.mechanisms.carried import is_guided
+from flexcli.parts.own_motion import first_taking
 from flexcli.parts.requirements import Ask
 from flexcli.parts.requirements.support import compliance_of
 from flexcli.parts.space_joint import joint_in_space
@@ -57,9 +58,6 @@ TRIES = 8
 
 FOUND_FROM = 3.0
 """Load factor that is looked for: CalculiX finds those next to one, and none far below."""
-
-TAKES_PART = 0.01
-"""Share of the motion's compliance from which a mode is one of the motion's own."""
 
 STRAIGHT = (Constant, NeckedDown, Tabulated)
 """Profiles that end in a corner at their clamps, where the stress of a solid has no bound."""
@@ -262,7 +260,8 @@ class SolidNumbers:
         ]
         count = min(len(moved), squares.size)
         taking = np.array(moved[:count]) ** 2 / squares[:count]
-        first = int(np.flatnonzero(taking > TAKES_PART * taking.sum())[0])
+        first = first_taking(taking, taking.sum())
+        assert first is not None  # one of them takes as much
         found = float(np.sqrt(squares[first]) / (2.0 * np.pi))
         if ask.geometry.in_space or not ask.scene.tilts:
             return found

@@ -528,7 +528,7 @@ def _buckling(blade: Blade, nu: float, ends: str) -> Factor:
 def _with_error(value: float, error: float, blade: Blade, nu: float, ends: float = 6.0) -> Factor:
     """Return a factor with its range: of thin plates, and what thickness changes of wide ones."""
     over = number(plates.bound(nu))
-    flat = (value - 1.0) / larger(over, TINY)
+    flat = plates.flat_share(value, nu)
     beyond = plates.beyond_plate(h=blade.h, l=blade.l, poisson_ratio=nu, flat=flat, ends=ends)
     less, more = (value * number(each) for each in beyond)
     low, high = larger(1.0, value - error), smaller(1.0 + over, value + error)
