@@ -5,19 +5,19 @@ of its face and its width. Layers of bricks, one after the other along x, are so
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg import cholesky, solve_triangular
 
-from flexcli.errors import SolveError
 from flexcli.mechanics.solids.lagrange import element
 
 __all__ = ["LOADS", "Lattice", "Load", "Moved", "moved"]
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+Integers = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +40,15 @@ class Lattice:
         """Return how many nodes it has along, across and over the width."""
         along, across = self.x.shape
         return along, across, self.z.size
+
+    @property
+    def layers(self) -> int:
+        """Return how many layers of bricks it has along."""
+        return (len(self.x) - 1) // self.orders[0]
+
+    def planes_of(self, n: int) -> slice:
+        """Return which nodes along are those of a layer, its ends among them."""
+        return slice(n * self.orders[0], (n + 1) * self.orders[0] + 1)
 
 
 class Load(NamedTuple):
@@ -74,80 +83,143 @@ class Moved(NamedTuple):
     stress: Floats
 
 
-def moved(lattice: Lattice, load: Load, E: float, nu: float) -> Moved:
-    """Return what a unit load does to the body between rigid ends.
+def moved(lattice: Lattice, E: float, nu: float) -> tuple[Moved | None, ...]:
+    """Return what each of the unit loads does to the body between rigid ends.
 
     The ends move by one, rigidly, each its way. What is sought is the rest of the motion: none at
-    the end, and in the middle what symmetry holds against that.
+    the end, and in the middle what symmetry holds against that. Nothing is returned for a load
+    under which the body is so slender that no digits are left.
 
     Parameters
     ----------
     lattice : Lattice
         The octant.
-    load : Load
-        One of six.
     E, nu : float
         Young's modulus [Pa] and Poisson's ratio below ½ [-].
 
-    Raises
-    ------
-    SolveError
-        Where the body is so slender that no digits are left.
-
     """
-    try:
-        return _moved(lattice, load, E, nu)
-    except np.linalg.LinAlgError as error:
-        hint = "leave a body as slender as that to beams"
-        raise SolveError("too-slender", "a solid has too few digits", hint) from error
-
-
-def _moved(lattice: Lattice, load: Load, E: float, nu: float) -> Moved:
-    stiffness, free = _Layers(lattice, E, nu), _free(lattice, load)
-    per_layer, plane = lattice.orders[0], 3 * lattice.x.shape[1] * lattice.z.size
-    count = (lattice.x.shape[0] - 1) // per_layer
+    stiffness, each = _Layers(lattice, E, nu), [_UnderLoad(lattice, load) for load in LOADS]
+    everywhere = np.all([one.free for one in each], axis=0)
     # from the rigid end to the middle, so that a soft throat keeps its digits
-    beyond, kept = np.zeros((plane, plane)), list[tuple[Flags, Floats]]()
-    for n in range(count - 1, -1, -1):
-        K = stiffness.of_layer(n)
-        K[-plane:, -plane:] += beyond
-        here = free[n * per_layer + 1 : (n + 1) * per_layer + 1].ravel()
-        own, near = np.flatnonzero(here) + plane, slice(0, plane)
-        factor = cho_factor(K[np.ix_(own, own)], lower=True, overwrite_a=True, check_finite=False)
-        follows = cho_solve(factor, K[own, near], check_finite=False)
-        beyond = K[near, near] - K[near, own] @ follows
-        kept.append((here, follows))
-    w = np.zeros((*lattice.shape, 3))
-    middle, work = _middle(lattice, load, beyond, free[0])
-    w[0] = middle.reshape(w[0].shape)
-    for n in range(count):
-        here, follows = kept.pop()
-        after = np.zeros(here.size)
-        after[here] = -follows @ middle
-        w[n * per_layer + 1 : (n + 1) * per_layer + 1] = after.reshape(-1, *w.shape[1:])
-        middle = after[-plane:]
-    # eight octants, whose ends move by one each way
-    return Moved(1.0 / (2.0 * work), _stress(lattice, w / (4.0 * work), E, nu))
+    within = list[_Within]()
+    for n in range(lattice.layers - 1, -1, -1):
+        try:
+            within.append(_Within(stiffness.of_layer(n), everywhere[lattice.planes_of(n)]))
+        except np.linalg.LinAlgError:
+            return (None,) * len(each)
+        for one in each:
+            one.eliminate(n, within[-1])
+    return tuple(one.moved(within[::-1], E, nu) for one in each)
 
 
-def _middle(lattice: Lattice, load: Load, K: Floats, free: Flags) -> tuple[Floats, float]:
-    """Return how the plane x = 0 moves against an end that moves by one, and the work of that.
+class _Within:
+    """A layer whose nodes off its ends and off the planes of symmetry follow the others.
 
-    ``K`` is the stiffness of that plane where the end is held, ``free`` (across, width, 3) what y
-    and z = 0 leave free.
+    These move freely under any load: they are eliminated once for all. ``left`` is the stiffness of
+    the others, ``others`` tells which of the layer's motions they are.
     """
-    y, z = np.broadcast_arrays(lattice.y[0][:, None], lattice.z)
-    at = np.stack([y, z, np.ones_like(y)], axis=-1)
-    back = -at @ np.array(load.motion, dtype=np.float64).T
-    along = np.arange(3) == 0
-    led = along if load.signs[0] == 1 else ~along
-    given = np.flatnonzero(free & led)
-    left = np.flatnonzero(free & ~led)
-    w = np.zeros(K.shape[0])
-    w[given] = back.ravel()[given]
-    factor = cho_factor(K[np.ix_(left, left)], check_finite=False)
-    w[left] = -cho_solve(factor, K[np.ix_(left, given)] @ w[given], check_finite=False)
-    return w, float(w[given] @ K[given] @ w)
+
+    def __init__(self, K: Floats, free: Flags) -> None:
+        inside = free.copy()
+        inside[0] = inside[-1] = False
+        self.shape, self.inside, self.others = free.shape, inside.ravel(), ~inside.ravel()
+        own, rest = np.flatnonzero(self.inside), np.flatnonzero(self.others)
+        self.factor = _factor(K[np.ix_(own, own)])
+        self.forces = _solved(self.factor, K[np.ix_(own, rest)])
+        self.left = K[np.ix_(rest, rest)] - self.forces.T @ self.forces
+
+    def whole(self, others: Floats) -> Floats:
+        """Return the motions of all nodes of the layer by those of the others."""
+        w = np.empty(self.inside.size)
+        w[self.others] = others
+        w[self.inside] = -_solved(self.factor, self.forces @ others, transposed=True)
+        return w.reshape(self.shape)
+
+
+class _UnderLoad:
+    """The octant under one unit load, layers eliminated up to a plane.
+
+    ``beyond`` is the stiffness of what moves freely in that plane, ``kept`` has for each layer
+    which of its other motions follow those of the plane before it, and how.
+    """
+
+    def __init__(self, lattice: Lattice, load: Load) -> None:
+        self.lattice, self.load = lattice, load
+        self.free = _free(lattice, load)
+        self.beyond: Floats | None = np.zeros((0, 0))
+        self.kept = list[tuple[Integers, Integers, Floats, Floats]]()
+
+    def eliminate(self, n: int, layer: _Within) -> None:
+        """Eliminate a layer but for the plane before it; beyond it all are eliminated already."""
+        if self.beyond is None:
+            return
+        own = self.free[self.lattice.planes_of(n)].copy()
+        near = np.zeros_like(own)
+        near[0], own[0] = own[0], False
+        at, before = (np.flatnonzero(each.ravel()[layer.others]) for each in (own, near))
+        K, last = layer.left[np.ix_(at, at)], len(self.beyond)
+        if last:
+            K[-last:, -last:] += self.beyond
+        try:
+            factor = _factor(K)
+        except np.linalg.LinAlgError:
+            self.beyond = None
+            return
+        forces = _solved(factor, layer.left[np.ix_(at, before)])
+        self.beyond = layer.left[np.ix_(before, before)] - forces.T @ forces
+        self.kept.append((at, before, factor, forces))
+
+    def moved(self, layers: list[_Within], E: float, nu: float) -> Moved | None:
+        """Return what the load does, its layers from the middle on; nothing without digits."""
+        if self.beyond is None:
+            return None
+        lattice, w = self.lattice, np.zeros((*self.lattice.shape, 3))
+        try:
+            middle, work = self._middle(self.beyond)
+        except np.linalg.LinAlgError:
+            return None
+        if not work > 0.0:
+            return None
+        for n, layer in enumerate(layers):
+            at, before, factor, forces = self.kept.pop()
+            others = np.zeros(len(layer.left))
+            others[before] = middle
+            others[at] = -_solved(factor, forces @ middle, transposed=True)
+            planes = lattice.planes_of(n)
+            w[planes] = layer.whole(others)
+            middle = w[planes.stop - 1][self.free[planes.stop - 1]]
+        # eight octants, whose ends move by one each way
+        return Moved(1.0 / (2.0 * work), _stress(lattice, w / (4.0 * work), E, nu))
+
+    def _middle(self, K: Floats) -> tuple[Floats, float]:
+        """Return how the plane x = 0 moves against an end that moves by one, and the work of that.
+
+        ``K`` is the stiffness of what y and z = 0 leave free of it, where the end is held.
+        """
+        lattice, free = self.lattice, self.free[0]
+        y, z = np.broadcast_arrays(lattice.y[0][:, None], lattice.z)
+        at = np.stack([y, z, np.ones_like(y)], axis=-1)
+        back = -at @ np.array(self.load.motion, dtype=np.float64).T
+        along = np.arange(3) == 0
+        led = np.broadcast_to(along if self.load.signs[0] == 1 else ~along, free.shape)[free]
+        given, left = np.flatnonzero(led), np.flatnonzero(~led)
+        w = np.zeros(len(K))
+        w[given] = back[free][given]
+        factor = _factor(K[np.ix_(left, left)])
+        follows = _solved(factor, K[np.ix_(left, given)] @ w[given])
+        w[left] = -_solved(factor, follows, transposed=True)
+        return w, float(w[given] @ K[given] @ w)
+
+
+def _factor(K: Floats) -> Floats:
+    """Return the lower factor of Cholesky."""
+    return np.asarray(cholesky(K, lower=True, overwrite_a=True, check_finite=False))
+
+
+def _solved(factor: Floats, right: Floats, *, transposed: bool = False) -> Floats:
+    """Return a lower factor's, or its transpose's, solution."""
+    way: Literal["T", "N"] = "T" if transposed else "N"
+    return np.asarray(solve_triangular(factor, right, way, lower=True, check_finite=False))
 
 
 def _free(lattice: Lattice, load: Load) -> Flags:
@@ -224,7 +296,7 @@ def _over_faces(lattice: Lattice, n: int) -> tuple[Floats, Floats, Floats]:
     columns = lattice.x.shape[1]
     count = (along + 1) * columns
     S, D, N = np.zeros((2, 2, count, count)), np.zeros((2, count, count)), np.zeros((count, count))
-    rows = slice(n * along, (n + 1) * along + 1)
+    rows = lattice.planes_of(n)
     for first in range(0, columns - 1, across):
         at = slice(first, first + across + 1)
         places = np.stack([lattice.x[rows, at].ravel(), lattice.y[rows, at].ravel()])

@@ -10,6 +10,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import SolveError
 from flexcli.mechanics.solids.neck import Neck, neck_lattice
 from flexcli.mechanics.solids.octant import LOADS, Lattice, Moved, moved
 
@@ -31,12 +32,19 @@ VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 
 
 class NeckUnderLoads:
-    """The neck between rigid bodies; loads are solved when they are first asked for."""
+    """The neck between rigid bodies, solved on a mesh when one of its loads is first asked for.
+
+    Raises
+    ------
+    SolveError
+        Where it is asked for a load under which it is so slender that no digits are left.
+
+    """
 
     def __init__(self, neck: Neck, E: float, nu: float) -> None:
         self.neck = neck
         self.elastic = E, nu
-        self._known: dict[tuple[tuple[int, int, int], int], Moved] = {}
+        self._known: dict[tuple[int, int, int], tuple[Moved | None, ...]] = {}
 
     @cached_property
     def _lattices(self) -> dict[tuple[int, int, int], Lattice]:
@@ -105,10 +113,13 @@ class NeckUnderLoads:
         return abs(float(np.abs(coarse).max() - np.abs(fine).max()))
 
     def _moved(self, orders: tuple[int, int, int], index: int) -> Moved:
-        if (orders, index) not in self._known:
-            found = moved(self._lattices[orders], LOADS[index], *self.elastic)
-            self._known[orders, index] = found
-        return self._known[orders, index]
+        if orders not in self._known:
+            self._known[orders] = moved(self._lattices[orders], *self.elastic)
+        found = self._known[orders][index]
+        if found is None:
+            hint = "leave a body as slender as that to beams"
+            raise SolveError("too-slender", "a solid has too few digits", hint)
+        return found
 
 
 def _signs(parity: tuple[int, int, int], mirrored: tuple[bool, ...]) -> Floats:
