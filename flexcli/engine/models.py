@@ -100,12 +100,13 @@ def series_of(design: DesignSpec) -> tuple[str, ...]:
 
 
 def _has_shells(design: DesignSpec) -> bool:
-    """Return whether a joint has blades in space, or is asked for what it does at a stroke.
+    """Return whether a joint has blades in space, or is asked of a stroke or a missed seat.
 
     While its sizes are sought, beams are fine enough; rods are beams always. Shells are whole:
     nothing of them can be left out.
     """
     asked = any(each.is_of_a_case for each in design.requirements.support or ())
+    asked = asked or bool(design.requirements.misalignment_stress)
     if design.requirements.deflection:
         scenes = design.scenes()
         asked = asked or any(each.moves and each.wrench is not None for each in scenes)

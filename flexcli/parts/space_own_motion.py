@@ -10,8 +10,8 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.own_motion import DENSEST, TAKES_PART, UNSURE_PART, first_taking
+from flexcli.parts.requirements.ask import Told
 from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_states import Told
 from flexcli.results import ErrorRange
 
 __all__ = ["INNER", "own_frequency", "parasitic_frequency"]

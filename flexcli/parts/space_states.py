@@ -20,8 +20,8 @@ from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.space.freedoms import misfit
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
-from flexcli.mechanics.space.second_order import MissedSeat, SecondOrder, stiffened_by_loads
+from flexcli.mechanics.space.layout import MissedSeat, SpaceBlade, SpaceRod, Vector
+from flexcli.mechanics.space.second_order import SecondOrder, stiffened_by_loads
 from flexcli.mechanics.space.states import (
     Acting,
     BladeStress,
@@ -35,11 +35,11 @@ from flexcli.mechanics.space.states import (
 from flexcli.mechanics.space.stresses import equivalent, hinge_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
-from flexcli.parts.requirements.ask import Ask
+from flexcli.parts.requirements.ask import Ask, MisfitStress, Told
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
 from flexcli.parts.worst_places import worst_places
-from flexcli.results import ErrorRange
+from flexcli.results import EXACT, ErrorRange
 
 __all__ = [
     "KNOWN",
@@ -49,16 +49,15 @@ __all__ = [
     "WARPING_ERROR",
     "Place",
     "StrokeEnd",
-    "Told",
     "acting_groups",
     "bent_by_gradient",
     "beyond_first_order",
     "beyond_linear_sag",
     "hinge_stress_error",
     "hull",
-    "largest_misfit_stress",
     "largest_stress",
     "left_by_temperature",
+    "misfit_stresses",
     "motions",
     "sag",
     "senses",
@@ -69,6 +68,7 @@ __all__ = [
     "stress_places",
     "third_order",
     "warping_change",
+    "worst_misfit",
 ]
 
 Floats = NDArray[np.float64]
@@ -114,18 +114,6 @@ bodies that nothing over-constrains follow it freely."""
 
 TWOFOLD = 2.0
 """Factor on the effect at rest of uneven sections: its upper bound at a stroke."""
-
-
-class Told(NamedTuple):
-    """A number and its error, None where that is unknown."""
-
-    value: float
-    error: ErrorRange | None
-
-    def times(self, factor: float, error: ErrorRange | None) -> "Told":
-        """Return it times a factor that has an error of its own."""
-        both = None if self.error is None or error is None else self.error + error
-        return Told(self.value * factor, both)
 
 
 class StrokeEnd(NamedTuple):
@@ -506,15 +494,22 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
     more = (second + inside) / (most * max(1.0 - after.buckling, 1.0 - SOFTENED)) + third_order(
         after
     )
-    if more > KNOWN:
+    first = _of_small_motion(joint, state, here)
+    if more > KNOWN or first is None:
         return None
-    more = more / (1.0 - more) + spring_change(joint, state)
-    warped = warping_change(here, most)
+    more = more / (1.0 - more)
+    return first + ErrorRange(-more, more)
+
+
+def _of_small_motion(
+    joint: SpaceJoint, state: SpaceState, here: list[BladeStress]
+) -> ErrorRange | None:
+    """Return the error of the largest stress in a state but for what small motion leaves out."""
+    most = max(largest_stress(each) for each in here)
+    off = spring_change(joint, state) + warping_change(here, most)
     around = AROUND_ERROR if any(isinstance(x, SpaceRod) for x in joint.layout.blades) else 0.0
     hinges = hull(hinge_stress_error(blade) for blade in joint.layout.blades)
-    if hinges is None:
-        return None
-    return ErrorRange(-more - warped - around, more + warped) + hinges
+    return None if hinges is None else ErrorRange(-off - around, off) + hinges
 
 
 def hinge_stress_error(blade: SpaceBlade | SpaceRod) -> ErrorRange | None:
@@ -618,21 +613,20 @@ def hull(errors: Iterable[ErrorRange | None]) -> ErrorRange | None:
     return ErrorRange(low, high)
 
 
-def largest_misfit_stress(
+def misfit_stresses(
     joint: SpaceJoint,
     blades: Iterable[int],
     motion: tuple[float, ...],
     *,
     kept: tuple[Vector, ...] = (),
-) -> tuple[Told, str]:
-    """Return the largest stress where one of some blades misses its seat, and its place.
+) -> Iterator[MisfitStress]:
+    """Yield the largest stress where each of some blades misses its seat, by small motion.
 
     Where nothing over-constrains the bodies it is zero, and known. ``motion`` is the offset of the
     seat on its second body at its end, along the axes of the layout [m, rad]; the drive is free,
     but about axes of the layout in ``kept`` the body is guided.
     """
-    stresses, found, where = Stresses(joint.assembly), 0.0, "nothing is stressed"
-    errors = list[ErrorRange | None]()
+    stresses = Stresses(joint.assembly)
     for blade in blades:
         missed = MissedSeat(blade, np.array(motion))
         state = misfitted(joint.assembly, missed, kept=kept)
@@ -642,12 +636,31 @@ def largest_misfit_stress(
             for strained in (state.moved.deformations, held)
         )
         if energy <= UNSTRESSED**2 * most:
-            errors.append(ErrorRange(0.0, 0.0))
+            yield MisfitStress(missed, 0.0, "nothing is stressed", EXACT, EXACT)
             continue
-        here = max(stresses.of(state.moved.forces[:, 0], state.weights), key=largest_stress)
-        errors.append(_error(joint, [state], stresses))
-        if largest_stress(here) > found:
-            found = largest_stress(here)
-            place = here.where[int(np.argmax(equivalent(here.normal, here.shear)))]
-            where = f"{here.name}, {place}, {stresses.names[blade]} being off"
-    return Told(found, hull(errors)), where
+        found = stresses.of(state.moved.forces[:, 0], state.weights)
+        here = max(found, key=largest_stress)
+        first = whole = None
+        if joint.is_known_in_stress:
+            first = _of_small_motion(joint, state, found)
+            whole = _of_state(joint, state, stresses)
+        place = here.where[int(np.argmax(equivalent(here.normal, here.shear)))]
+        where = f"{here.name}, {place}, {stresses.names[blade]} being off"
+        yield MisfitStress(missed, largest_stress(here), where, first, whole)
+
+
+def worst_misfit(found: Iterable[tuple[Told, str]]) -> tuple[Told, str]:
+    """Return the largest of several stresses, and its place.
+
+    Its range is that of the largest of them all, whichever it is: unknown if one of them is.
+    """
+    each = list(found)
+    worst, where = max(each, key=lambda one: one[0].value)
+    if worst.value == 0.0 or any(told.error is None for told, _ in each):
+        error = None if any(told.error is None for told, _ in each) else EXACT
+        return Told(worst.value, error), where
+    low, high = (
+        max(told.value * (1.0 + told.error[end]) for told, _ in each if told.error is not None)
+        for end in (0, 1)
+    )
+    return Told(worst.value, ErrorRange(low / worst.value - 1.0, high / worst.value - 1.0)), where

@@ -180,3 +180,26 @@ def test_the_stress_of_shells_is_nominal_outside_of_the_corners_of_clamps(b, wre
     )
     assert shells[0] <= beams[1] * (1.0 + 1e-9)
     assert beams[0] <= shells[1] * (1.0 + 1e-9)
+
+
+TWISTED = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, yield_strength: 830 MPa}}
+geometry:
+  kind: space-layout
+  bodies: {{tip: {{at: [40 mm, 0 mm, 0 mm]}}}}
+  blades:
+    strip: {{between: [ground, tip], from: [0 mm, 0 mm, 0 mm], to: [40 mm, 0 mm, 0 mm],
+            h: 0.2 mm, b: {b}, width: z}}
+  moving: tip
+  motion: {{rotation: {{about: x, at: [0 mm, 0 mm, 0 mm]}}}}
+cases: {{twist: {{stroke: {{rotation: 20 mrad}}}}}}
+requirements: {{yield: 1}}
+"""
+
+
+@pytest.mark.parametrize("b", ["4 mm", "10 mm", "30 mm"])
+def test_the_stress_of_a_twisted_strip_is_not_less_by_shells_than_by_beams(b):
+    each = [only(flexcli.check(TWISTED.format(b=b), model=m)) for m in ("linear", "shell")]
+    stress = [[row.capacity / factor for factor in reversed(row.factor_range)] for row in each]
+    assert max(low for low, _ in stress) < min(high for _, high in stress)

@@ -29,7 +29,7 @@ from flexcli.parts.elastic import Elastic
 from flexcli.parts.scene import NO_WRENCH, LoadKind, Scene
 from flexcli.parts.space_joint import SpaceJoint
 from flexcli.parts.space_states import (
-    largest_misfit_stress,
+    misfit_stresses,
     motions,
     sag,
     stress_places,
@@ -154,9 +154,9 @@ def test_a_misfit_along_a_blade_pulls_it_and_pushes_what_stands_against_it():
     b = rod("b", "body", "ground", (0.05, 0, 0), (0.1, 0, 0), d=1e-3)
     body = SpaceBody("body", (0.05, 0.0, 0.0), (0.05, 0.0, 0.0))
     layout = SpaceLayout((body,), (a, b), Drive("body", False, (0, 0, 1.0), body.point))
-    found, where = largest_misfit_stress(SpaceJoint(layout), [0], (1e-6, 0.0, 0.0, 0.0, 0.0, 0.0))
-    assert found.value == pytest.approx(STEEL.E * 1e-6 / 0.1, rel=1e-9)
-    assert "a being off" in where
+    (found,) = misfit_stresses(SpaceJoint(layout), [0], (1e-6, 0.0, 0.0, 0.0, 0.0, 0.0))
+    assert found.stress == pytest.approx(STEEL.E * 1e-6 / 0.1, rel=1e-9)
+    assert "a being off" in found.where
 
 
 def test_a_free_misfit_costs_nothing_but_the_bending_of_the_free_motions():
@@ -165,8 +165,8 @@ def test_a_free_misfit_costs_nothing_but_the_bending_of_the_free_motions():
     body = SpaceBody("body", (0.05, 0.0, 0.0), (0.05, 0.0, 0.0))
     layout = SpaceLayout((body,), (one,), Drive("body", False, (0, 1.0, 0), body.point))
     off = (1e-5, 1e-5, 1e-5, 1e-3, 1e-3, 1e-3)
-    found, _ = largest_misfit_stress(SpaceJoint(layout), [0], off)
-    assert found.value < 1e-6 * STEEL.E
+    (found,) = misfit_stresses(SpaceJoint(layout), [0], off)
+    assert found.stress < 1e-6 * STEEL.E
 
 
 def test_a_body_sags_by_its_weight_over_the_stiffness_and_half_that_of_its_blades():

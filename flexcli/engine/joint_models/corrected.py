@@ -13,7 +13,15 @@ from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.effects.plate import flattest, pulled
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
-from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
+from flexcli.parts.requirements import (
+    Ask,
+    CriticalShare,
+    DriveEffort,
+    EndStress,
+    JointModel,
+    MisfitStress,
+    Told,
+)
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -214,6 +222,12 @@ class Corrected(JointModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return those of the inner model, which need no correction."""
         return self.inner.deflections(ask, point, direction)
+
+    def misfit_stresses(
+        self, ask: Ask, small: Sequence[MisfitStress]
+    ) -> Iterator[tuple[Told, str]]:
+        """Yield those of the inner model, which need no correction."""
+        return self.inner.misfit_stresses(ask, small)
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the critical forces, those in the plane corrected by what they do not carry."""

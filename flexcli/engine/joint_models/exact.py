@@ -1,6 +1,6 @@
 """The exact model of a joint: geometrically exact blades between its bodies, at full stroke."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from math import inf, nan
 from typing import TYPE_CHECKING
@@ -39,7 +39,15 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import hanging_mass
-from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
+from flexcli.parts.requirements import (
+    Ask,
+    CriticalShare,
+    DriveEffort,
+    EndStress,
+    JointModel,
+    MisfitStress,
+    Told,
+)
 from flexcli.parts.requirements.closed_form import across_width
 from flexcli.parts.temperature import held_bending, held_lengths, sheared_across
 from flexcli.results import EXACT, ErrorRange, QuantityKind
@@ -257,6 +265,14 @@ class ExactModel(JointModel):
         from flexcli.engine.joint_models.space_deflection import deflections
 
         return deflections(ask, point, direction)
+
+    def misfit_stresses(
+        self, ask: Ask, small: Sequence[MisfitStress]
+    ) -> Iterator[tuple[Told, str]]:
+        """Yield the largest stress of each missed seat, by exact beams in space."""
+        from flexcli.engine.joint_models.space_exact import SpaceExactModel
+
+        return SpaceExactModel().misfit_stresses(ask, small)
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the box around the joint in space, and the bodies that have no outline."""

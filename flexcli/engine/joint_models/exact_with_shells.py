@@ -1,5 +1,7 @@
 """The exact model of a joint of the plane, at stroke by shells: support, deflections, shift."""
 
+from collections.abc import Iterator, Sequence
+
 from flexcli.engine.joint_models.exact import ExactModel, alone
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.shell_shift import shift_by_shells
@@ -9,7 +11,7 @@ from flexcli.engine.joint_models.space_stroke import support_at_stroke
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import Ask, JointModel
+from flexcli.parts.requirements import Ask, JointModel, MisfitStress, Told
 from flexcli.results import ErrorRange
 
 __all__ = ["ExactWithShells"]
@@ -52,3 +54,9 @@ class ExactWithShells(ExactModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return how far the wrench moves a point, the tangents at the stroke being shells'."""
         return deflections(ask, point, direction, SHELLS)
+
+    def misfit_stresses(
+        self, ask: Ask, small: Sequence[MisfitStress]
+    ) -> Iterator[tuple[Told, str]]:
+        """Yield the largest stress of each missed seat, by shells."""
+        return SpaceShellModel().misfit_stresses(ask, small)

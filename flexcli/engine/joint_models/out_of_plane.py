@@ -7,6 +7,7 @@ exact beams in space take all of a case together. So they do where what acts in 
 body, as blades stand side by side.
 """
 
+from collections.abc import Iterator, Sequence
 from functools import partial
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
@@ -28,7 +29,9 @@ from flexcli.parts.requirements import (
     DriveEffort,
     EndStress,
     JointModel,
+    MisfitStress,
     Swing,
+    Told,
 )
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import AcrossStress, across_stress
@@ -169,6 +172,12 @@ class OutOfPlane(JointModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return those of the inner model, which need no correction."""
         return self.inner.deflections(ask, point, direction)
+
+    def misfit_stresses(
+        self, ask: Ask, small: Sequence[MisfitStress]
+    ) -> Iterator[tuple[Told, str]]:
+        """Yield those of the inner model, which need no correction."""
+        return self.inner.misfit_stresses(ask, small)
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the planar model's, and those of drawn joints that a force turns out of it."""

@@ -34,7 +34,7 @@ from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space
 from flexcli.parts.space_states import acting_groups
 from flexcli.results import ErrorRange
 
-__all__ = ["Springs", "deflections", "sag_changes"]
+__all__ = ["Springs", "deflections", "load_error", "sag_changes", "unsure_springs"]
 
 Floats = NDArray[np.float64]
 
@@ -215,8 +215,11 @@ class _Asked:
         if joint.is_mirrored and not (np.any(load[IN]) and np.any(load[OUT])):
             self.kept = np.array(IN if np.any(sought[IN]) else OUT)
         # what varies in thickness is no surer than its springs
-        self.unsure, self.springs = _unsure(joint) if springs is None else springs.unlike, springs
-        self.beams = max(_load_error(ask), self.unsure)
+        self.unsure, self.springs = (
+            unsure_springs(joint) if springs is None else springs.unlike,
+            springs,
+        )
+        self.beams = max(load_error(ask), self.unsure)
         self.beams += _largest_share(compliance_of(ask) - rest, rest)
 
     def from_rest(self, sign: float, own: float, end: _Tangent) -> _Told:
@@ -296,7 +299,9 @@ def sag_changes(ask: Ask) -> Iterator[tuple[float, float]]:
         small = _moved(ask, combined([state], [SMALL]), sought) / SMALL
     except SolveError as failed:
         raise NotAvailable(f"has no sag by exact beams: {failed}") from failed
-    beams = max(_load_error(ask), _unsure(joint)) + _largest_share(compliance_of(ask) - rest, rest)
+    beams = max(load_error(ask), unsure_springs(joint)) + _largest_share(
+        compliance_of(ask) - rest, rest
+    )
     for sign, moved in either.items():
         more = sign * moved / small - 1.0
         if not abs(more) <= MOST:
@@ -304,13 +309,13 @@ def sag_changes(ask: Ask) -> Iterator[tuple[float, float]]:
         yield more, beams * abs(more) * (1.0 + abs(more))
 
 
-def _load_error(ask: Ask) -> float:
+def load_error(ask: Ask) -> float:
     """Return by what share of itself what the size of a load changes is off by beams, at most."""
     known = BEAMS.errors(at_travel(ask, 0.0))
     return LOAD_ERROR if known is None else min(LOAD_ERROR, OF_SUPPORT * known.support)
 
 
-def _unsure(joint: SpaceJoint) -> float:
+def unsure_springs(joint: SpaceJoint) -> float:
     """Return by how much the springs of what varies in thickness may be off, at most.
 
     What a stroke or a load changes of very wide blades nobody compared: it may be off by itself.
@@ -365,7 +370,7 @@ def _either_way(ask: Ask, state: SpaceState, sought: Floats) -> Iterator[tuple[f
     The sense that is nearer to buckling the joint comes first, for it may be all that counts.
     """
     after = {sign: combined([state], [sign]).following() for sign in (1.0, -1.0)}
-    more = BEYOND * (1.0 + _unsure(joint_in_space(ask.geometry, ask.material, ask.sizes)))
+    more = BEYOND * (1.0 + unsure_springs(joint_in_space(ask.geometry, ask.material, ask.sizes)))
     for sign in sorted(after, key=lambda each: -after[each].buckling):
         acting, second = combined([state], [sign]), after[sign]
         if second.buckling > FAR:
@@ -427,7 +432,7 @@ def _prove_buckled(ask: Ask, acting: SpaceState, second: SecondOrder) -> None:
         )  # fmt: skip
     except SolveError:
         return
-    if not found.is_lost and found.factor * (1.0 + _unsure(joint)) < SURELY:
+    if not found.is_lost and found.factor * (1.0 + unsure_springs(joint)) < SURELY:
         raise Buckled(found.factor)
 
 

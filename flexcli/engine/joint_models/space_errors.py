@@ -14,8 +14,15 @@ from numpy.typing import NDArray
 from flexcli.formulas.card import Range
 from flexcli.formulas.clamped_star import stiffer_across
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
+from flexcli.mechanics.space.exact.assembly import UNTURNED
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.exact.rotation import conjugate, matrix_of, product, vector_of
+from flexcli.mechanics.space.exact.rotation import (
+    conjugate,
+    matrix_of,
+    product,
+    quaternion_of,
+    vector_of,
+)
 from flexcli.mechanics.space.exact.stresses import section_states
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod, SpaceStar, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly
@@ -373,6 +380,10 @@ def _bend(state: SpaceEquilibrium, blade: SpaceBlade | SpaceRod) -> Bend:
     l, axes = _length(blade), blade.axes
     apart = np.subtract(blade.end, blade.start)
     shifted = _shift(state, blade.second, blade.end) - _shift(state, blade.first, blade.start)
+    missed = state.part.demand.off(state.part.share)
+    if missed is not None and state.layout.blades[missed.blade] is blade:
+        shifted = shifted + matrix_of(second) @ missed.offset[:3]
+        second = product(second, quaternion_of(missed.offset[3:]))
     # as seen from the start, along the blade's own axes
     t = axes @ (matrix_of(conjugate(first)) @ (apart + shifted) - apart) / l
     theta = axes @ vector_of(product(conjugate(first), second))
@@ -392,7 +403,7 @@ def _length(blade: SpaceBlade | SpaceRod) -> float:
 def _turn(state: SpaceEquilibrium, body: str) -> Floats:
     """Return the rotation of a body as a quaternion; the ground has none."""
     if body not in {each.name for each in state.layout.bodies}:
-        return np.array([1.0, 0.0, 0.0, 0.0])
+        return UNTURNED
     return state.quaternion(body)
 
 

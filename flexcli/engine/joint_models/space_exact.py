@@ -47,13 +47,14 @@ from flexcli.parts.requirements import (
     DriveEffort,
     EndStress,
     JointModel,
+    MisfitStress,
+    Told,
 )
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import (
     SOFTENED,
     WARPING_ERROR,
-    Told,
     acting_groups,
     bent_by_gradient,
     senses,
@@ -164,6 +165,15 @@ class SpaceExactModel(SpaceLinearModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return how far the wrench moves a point, by exact beams."""
         return deflections(ask, point, direction)
+
+    def misfit_stresses(
+        self, ask: Ask, small: Sequence[MisfitStress]
+    ) -> Iterator[tuple[Told, str]]:
+        """Yield the largest stress of each missed seat, by beams or shells."""
+        from flexcli.engine.joint_models.space_misfit import StressModel, misfit_stresses
+
+        model = StressModel(self.blades, self.largest_stress, self.unsure_stress)
+        return misfit_stresses(ask, small, model)
 
     def parasitic_frequency_at_stroke(
         self, ask: Ask

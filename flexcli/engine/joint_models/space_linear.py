@@ -18,14 +18,13 @@ from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.states import action
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
+from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel, Told
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_own_motion import own_frequency
 from flexcli.parts.space_states import (
     SOFTENED,
     Place,
-    Told,
     acting_groups,
     motions,
     sag,

@@ -15,7 +15,12 @@ from flexcli.engine.joint_models.space_stroke import Blades, at_travel, driven_c
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.shell.first_guess import SHELL_LEVELS, shells_from_beams
-from flexcli.mechanics.shell.stresses import CORNER, rod_stresses, shell_stresses
+from flexcli.mechanics.shell.stresses import (
+    CORNER,
+    rod_stresses,
+    shell_stresses,
+    twist_in_corners,
+)
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.support import driven_stiffness
 from flexcli.parts.elastic import NotAvailable
@@ -86,9 +91,13 @@ class SpaceShellModel(SpaceExactModel):
         return beam_swings(rod_stresses(first), rod_stresses(last))
 
     def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> float:
-        """Return by how much less it is where corners count that are twice as large [Pa]."""
+        """Return by how much less it is where corners count that are twice as large [Pa].
+
+        And by how much more there is in the corners that is of twist.
+        """
         outside = _signed(state, 2.0 * CORNER).values()
-        return largest - max(float(np.max(np.abs(each))) for each in outside)
+        smaller = max(float(np.max(np.abs(each))) for each in outside)
+        return largest - smaller + twist_in_corners(state)
 
 
 def _signed(state: SpaceEquilibrium, corner: float) -> dict[str, Floats]:

@@ -5,6 +5,7 @@ higher than a beam's. In the corners of clamps and long sides it has no bound, w
 stress has: places near both are left out.
 """
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import BladeStress, beam_stresses
 from flexcli.mechanics.space.layout import SpaceBlade
 
-__all__ = ["CORNER", "FaceStress", "rod_stresses", "shell_stresses"]
+__all__ = ["CORNER", "FaceStress", "rod_stresses", "shell_stresses", "twist_in_corners"]
 
 Floats = NDArray[np.float64]
 
@@ -47,8 +48,7 @@ class FaceStress(NamedTuple):
     @property
     def equivalent(self) -> Floats:
         """Return von Mises' stress (2, places) [Pa]."""
-        sums = self.along**2 - self.along * self.across + self.across**2
-        return np.asarray(np.sqrt(sums + 3.0 * self.shear**2))
+        return _mises(self.along, self.across, self.shear)
 
 
 def shell_stresses(state: SpaceEquilibrium, corner: float = CORNER) -> tuple[FaceStress, ...]:
@@ -56,31 +56,78 @@ def shell_stresses(state: SpaceEquilibrium, corner: float = CORNER) -> tuple[Fac
 
     Those are as large as a share ``corner`` of the shorter of length and width.
     """
+    return tuple(each.outside(corner) for each in _all_over(state))
+
+
+def twist_in_corners(state: SpaceEquilibrium, corner: float = CORNER) -> float:
+    """Return how much larger von Mises' stress of twist is in corners than outside [Pa].
+
+    That is up to a thickness from the clamps and long sides, and zero where it is not larger. A
+    twisted blade that may not warp at its clamps is stressed along at its edges as nominally as it
+    is by bending, in opposite ways on both faces and both edges: that part counts.
+    """
+    return max((each.twist_beyond(corner) for each in _all_over(state)), default=0.0)
+
+
+class _Faces(NamedTuple):
+    """Stresses ``sigma`` (2, along, across, 3) on both faces of a blade at all places looked at.
+
+    ``s`` (along,) [m] is from its start, ``z`` (across,) from its middle, ``size`` are its length,
+    width and thickness [m].
+    """
+
+    name: str
+    s: Floats
+    z: Floats
+    sigma: Floats
+    size: tuple[float, float, float]
+
+    def beside(self, corner: float) -> NDArray[np.bool_]:
+        """Return which places (along, across) are not in corners."""
+        l, b, h = self.size
+        near = max(h, corner * min(l, b))
+        clamps, sides = np.minimum(self.s, l - self.s), b / 2.0 - np.abs(self.z)
+        return np.asarray((clamps >= near)[:, None] | (sides >= near))
+
+    def outside(self, corner: float) -> FaceStress:
+        """Return the stresses outside of corners."""
+        kept = self.beside(corner)
+        s, z = (each[kept] for each in np.meshgrid(self.s, self.z, indexing="ij"))
+        return FaceStress(self.name, s, z, *np.moveaxis(self.sigma[:, kept], -1, 0))
+
+    def twist_beyond(self, corner: float) -> float:
+        """Return how much larger the stress of twist is in corners than outside [Pa]."""
+        odd = (self.sigma[0] - self.sigma[1]) / 2.0
+        signs = np.array([-1.0, -1.0, 1.0])  # shear is alike at both edges, what is along is not
+        twist = (odd + signs * odd[:, ::-1]) / 2.0
+        each = [
+            float(np.max(_mises(*np.moveaxis(twist[self.beside(size)], -1, 0)), initial=0.0))
+            for size in (0.0, corner)
+        ]
+        return max(each[0] - each[1], 0.0)
+
+
+def _mises(along: Floats, across: Floats, shear: Floats) -> Floats:
+    return np.asarray(np.sqrt(along**2 - along * across + across**2 + 3.0 * shear**2))
+
+
+def _all_over(state: SpaceEquilibrium) -> Iterator[_Faces]:
+    """Yield the stresses of each blade of an equilibrium of shells."""
     shells, inside = _shells(state)
     clamped = shells.clamped
     s, t = ((_towards_rim(n) + low) / (1.0 + low) for n, low in ((_ALONG, 1.0), (_ACROSS, 0.0)))
     along, across = clamped.strips.basis.at(s, t)
     g = derivatives(clamped.strips, along, across, clamped.vectors(shells.parts(inside)[0]))
     found = strains(g, clamped.strips.grown)
-    place = [each.ravel() for each in np.meshgrid(s, t, indexing="ij")]
-    faces = []
     for k, i in enumerate(shells.blades):
         blade, l = state.layout.blades[i], shells.lengths[i]
         assert isinstance(blade, SpaceBlade)
         h = l / np.sqrt(clamped.strips.slender[k])
         nu = clamped.strips.nu[k]
         stiff = blade.material.E / (1.0 - nu**2) * clamped.strips.law[k]
-        where, z = place[0] * l, place[1] * blade.b / 2.0
-        near = max(h, corner * min(l, blade.b))
-        kept = (np.minimum(where, l - where) >= near) | (blade.b / 2.0 - np.abs(z) >= near)
-        stretch, bend = (e[k].reshape(-1, 3)[kept] for e in (found.stretch, found.bend))
+        stretch, bend = (e[k].reshape(s.size, t.size, 3) for e in (found.stretch, found.bend))
         sigma = np.stack([(stretch + side * h / (2.0 * l) * bend) @ stiff for side in (1.0, -1.0)])
-        faces.append(
-            FaceStress(
-                blade.name, where[kept], z[kept], sigma[..., 0], sigma[..., 1], sigma[..., 2]
-            )
-        )
-    return tuple(faces)
+        yield _Faces(blade.name, s * l, t * blade.b / 2.0, sigma, (float(l), blade.b, float(h)))
 
 
 def rod_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
@@ -99,7 +146,7 @@ def rod_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
 
 def _shells(state: SpaceEquilibrium) -> tuple[Shells, Floats]:
     part = state.part
-    assembly = part.assembly.warmed(part.demand.warmth(part.share))
+    assembly = part.assembly.on_the_way(part.demand, part.share)
     if not isinstance(assembly.members, Shells):
         raise TypeError("the blades of this equilibrium are no shells")
     return assembly.members, assembly.at(state.part.x).inside

@@ -28,6 +28,7 @@ __all__ = [
     "Drive",
     "Isotropic",
     "Matrix3",
+    "MissedSeat",
     "SpaceBlade",
     "SpaceBody",
     "SpaceLayout",
@@ -317,6 +318,20 @@ class SpaceLoad(NamedTuple):
         """Return a multiple of the load at its point."""
         force, moment = (vector(factor * np.asarray(each)) for each in (self.force, self.moment))
         return self._replace(force=force, moment=moment)
+
+
+class MissedSeat(NamedTuple):
+    """Offset of the seat of a blade, by its index, on its second body (6,) [m, rad].
+
+    It is told at the blade's end, along the axes of the drawing, and moves with the body.
+    """
+
+    blade: int
+    offset: Floats
+
+    def times(self, factor: float) -> "MissedSeat":
+        """Return a seat that is off by a multiple."""
+        return self._replace(offset=factor * self.offset)
 
 
 class Drive(NamedTuple):

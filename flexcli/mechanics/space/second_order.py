@@ -13,11 +13,17 @@ from numpy.typing import NDArray
 from flexcli.formulas.blade_spring import deformation_rows
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import motion_along, motion_at
-from flexcli.mechanics.space.layout import SpaceLoad, SpaceRod, SpaceStar, grown_ends
+from flexcli.mechanics.space.layout import (
+    MissedSeat,
+    SpaceLoad,
+    SpaceRod,
+    SpaceStar,
+    grown_ends,
+)
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["MissedSeat", "SecondOrder", "second_order", "stiffened_by_loads"]
+__all__ = ["SecondOrder", "second_order", "stiffened_by_loads"]
 
 Floats = NDArray[np.float64]
 
@@ -39,16 +45,6 @@ INNER_STIFFNESS = np.array(
     [(WEIGHTS[:, None] * f**2).sum(0) for f in (TWIST_RATE, BEND_RATE, BEND_RATE)]
 )
 """Energy of the shapes of twist, of bending about y and about z, over GJ/l and EI/l."""
-
-
-class MissedSeat(NamedTuple):
-    """Offset of the seat of a blade, by its index, on its second body (6,) [m, rad].
-
-    It is told at the blade's end, along the axes of the drawing, and moves with the body.
-    """
-
-    blade: int
-    offset: Floats
 
 
 class SecondOrder(NamedTuple):

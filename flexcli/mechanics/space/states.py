@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.space.freedoms import misfit
 from flexcli.mechanics.space.inertia import blade_masses, mass_matrix, weight_along
-from flexcli.mechanics.space.layout import SpaceLoad, Vector, vector
+from flexcli.mechanics.space.layout import MissedSeat, SpaceLoad, Vector, vector
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
-from flexcli.mechanics.space.second_order import MissedSeat, SecondOrder, second_order
+from flexcli.mechanics.space.second_order import SecondOrder, second_order
 from flexcli.mechanics.space.stresses import StressRows, equivalent, stress_rows
 
 __all__ = [

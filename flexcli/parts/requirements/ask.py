@@ -1,6 +1,7 @@
 """What a requirement is judged by: the design, the case, and the model."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterator, Sequence
 from math import pi
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
@@ -15,6 +16,7 @@ from flexcli.parts.scene import Scene
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
+    from flexcli.mechanics.space.layout import MissedSeat
     from flexcli.mechanics.space.springs import MemberSprings
     from flexcli.mechanics.space.swept_box import SweptBox
     from flexcli.parts.actuator import Actuator
@@ -27,10 +29,38 @@ __all__ = [
     "DriveEffort",
     "EndStress",
     "JointModel",
+    "MisfitStress",
     "RequirementError",
     "Swing",
+    "Told",
     "WideFactor",
 ]
+
+
+class Told(NamedTuple):
+    """A number and its error, None where that is unknown."""
+
+    value: float
+    error: ErrorRange | None
+
+    def times(self, factor: float, error: ErrorRange | None) -> "Told":
+        """Return it times a factor that has an error of its own."""
+        both = None if self.error is None or error is None else self.error + error
+        return Told(self.value * factor, both)
+
+
+class MisfitStress(NamedTuple):
+    """The largest stress by a missed seat in small motion [Pa], and where it is.
+
+    ``first`` is the relative error of small motion itself, ``error`` that with what small motion
+    leaves out; None where it is unknown.
+    """
+
+    missed: "MissedSeat"
+    stress: float
+    where: str
+    first: ErrorRange | None
+    error: ErrorRange | None
 
 
 class Swing(NamedTuple):
@@ -294,6 +324,15 @@ class JointModel(ABC):
         free: relative to the point without it, along an axis of cases or about it [m or rad].
         """
         raise NotAvailable("has no deflection beyond first order by this model: take exact")
+
+    def misfit_stresses(
+        self, ask: Ask, small: Sequence[MisfitStress]
+    ) -> Iterator[tuple[Told, str]]:
+        """Yield the largest stress and its place for each blade that misses its seat, either way.
+
+        ``small`` are those of small motion; the drive is free.
+        """
+        raise NotAvailable("has no stress of a missed seat beyond first order: take --model exact")
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the factors on loads and temperature together at which a mechanism buckles.

@@ -16,10 +16,11 @@ from flexcli.mechanics.shell.element import derivatives
 from flexcli.mechanics.shell.first_guess import shells_from_beams
 from flexcli.mechanics.shell.shells import shells_of
 from flexcli.mechanics.shell.strain import strains
-from flexcli.mechanics.shell.stresses import rod_stresses, shell_stresses
+from flexcli.mechanics.shell.stresses import rod_stresses, shell_stresses, twist_in_corners
 from flexcli.mechanics.space.exact.critical import critical_load
 from flexcli.mechanics.space.exact.demand import Frame
 from flexcli.mechanics.space.exact.equilibrium import solve
+from flexcli.mechanics.space.exact.stresses import blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance
 from flexcli.mechanics.space.layout import SpaceLoad
 
@@ -228,6 +229,25 @@ def test_stress_at_a_clamp_is_higher_than_a_beams():
     assert 0.98 < np.max(found.equivalent) / beam < 1.11
     # nothing is read off in the corners
     assert np.all((np.minimum(found.s, l - found.s) >= h) | (b / 2.0 - np.abs(found.z) >= h))
+
+
+@pytest.mark.parametrize("b", [10e-3, 40e-3])
+def test_what_a_twisted_strip_is_stressed_by_in_its_corners_is_nearly_a_beams(b):
+    """A thickness from the corners restrained warping is a fifth below a beam's, or near it."""
+    h = 0.5e-3
+    held = {"tip": (None, None, None, 1e-3, None, None)}
+    shells = solve(strip(h=h, b=b), held, levels=(0, 16), made=shells_from_beams)
+    (beam,) = blade_stresses(solve(strip(h=h, b=b), held, levels=(24,)))
+    outside = float(np.max(shell_stresses(shells)[0].equivalent))
+    assert outside < 0.75 * beam.warping.max()
+    corner = outside + twist_in_corners(shells)
+    assert 0.77 * beam.warping.max() < corner < 1.1 * beam.warping.max()
+
+
+def test_what_bends_and_pulls_a_strip_is_no_twist():
+    held = {"tip": (1e-9, 1e-7, 1e-8, None, -1e-7, 1e-6)}
+    state = solve(strip(h=0.5e-3, b=40e-3), held, levels=(0, 16), made=shells_from_beams)
+    assert twist_in_corners(state) < 1e-3 * np.max(shell_stresses(state)[0].equivalent)
 
 
 def test_a_warm_blade_that_is_free_is_longer_and_bears_nothing():

@@ -19,6 +19,7 @@ from flexcli.mechanics.space.exact.rotation import (
     matrix_of,
     moved,
     product,
+    quaternion_of,
     skew,
     spin_slope,
     spin_tangent,
@@ -28,10 +29,13 @@ from flexcli.mechanics.space.exact.rotation import (
 from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, seats_grown
 from flexcli.numerics.stack import solve_stack
 
-__all__ = ["Assembly", "Linearised", "Unknowns", "assemble", "at_nodes", "finer"]
+__all__ = ["UNTURNED", "Assembly", "Linearised", "Unknowns", "assemble", "at_nodes", "finer"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
+
+UNTURNED = np.array([1.0, 0.0, 0.0, 0.0])
+"""Quaternion of no rotation."""
 
 _FORCE = 10.0
 """Scaled force [EI/l²] that counts as one in the length of a step: that of an Euler column."""
@@ -70,7 +74,8 @@ class Assembly(NamedTuple):
     ``second`` the bodies of each blade, ``start`` and ``end`` the ends from their points in
     lengths of the blade, ``axes`` those of the blades at rest, ``scale`` the length over the
     blade's, ``weight`` its unit of energy over that of the whole. ``growth`` (blades, 7) is how far
-    a temperature moves the seats of both ends, and strains the blade.
+    a temperature moves the seats of both ends, and strains the blade; ``turned`` (blades, 4) is
+    how far the seats of the ends are turned on their bodies, where one is.
     """
 
     layout: SpaceLayout
@@ -89,15 +94,27 @@ class Assembly(NamedTuple):
     growth: Floats
     length: float
     force: float
+    turned: Floats | None = None
 
-    def warmed(self, warmth: float) -> "Assembly":
-        """Return it with its blades and the seats of their ends grown, by a share of the growth."""
-        if not self.growth.any():
-            return self
-        start, end, own = np.split(warmth * self.growth, (3, 6), axis=1)
-        return self._replace(
-            members=self.members.grown(own), start=self.start + start, end=self.end + end
-        )
+    def on_the_way(self, demand: Demand, share: float) -> "Assembly":
+        """Return it with its blades and the seats of their ends as they are at the share λ.
+
+        They have grown by a share of the growth; the seat that is missed is off.
+        """
+        found = self
+        if self.growth.any():
+            growth = demand.warmth(share) * self.growth
+            start, end, own = np.split(growth, (3, 6), axis=1)
+            found = found._replace(
+                members=self.members.grown(own), start=self.start + start, end=self.end + end
+            )
+        missed = demand.off(share)
+        if missed is None:
+            return found
+        end, turned = found.end.copy(), np.tile(UNTURNED, (self.blades, 1))
+        end[missed.blade] += missed.offset[:3] / self.members.lengths[missed.blade]
+        turned[missed.blade] = quaternion_of(missed.offset[3:])
+        return found._replace(end=end, turned=turned)
 
     @property
     def bodies(self) -> int:
@@ -157,8 +174,8 @@ class Assembly(NamedTuple):
         S_t = np.swapaxes(S, -1, -2)
         n, m = at.forces[:, :3], at.forces[:, 3:]
         local = np.concatenate([_times(S, n), _times(S, m)], axis=-1)
-        warm = self.warmed(demand.warmth(share))
-        blade = warm.members.condense(at.inside, local)
+        here = self.on_the_way(demand, share)
+        blade = here.members.condense(at.inside, local)
         F = np.zeros((B, 6, 6))
         for a in (slice(0, 3), slice(3, 6)):
             for b in (slice(0, 3), slice(3, 6)):
@@ -167,13 +184,14 @@ class Assembly(NamedTuple):
         by_turn = F @ np.concatenate([skew(n), skew(m)], axis=1)
         bent = _times(S_t, blade.motion)
         straight = moved(q_i, self.axes[:, 0])
-        a_i, a_j = warm.start + moved(q_i, warm.start), warm.end + moved(q_j, warm.end)
+        a_i, a_j = here.start + moved(q_i, here.start), here.end + moved(q_j, here.end)
         lever = a_i + self.axes[:, 0] + straight + bent
         gap = self.scale[:, None] * (shift[self.second] - shift[self.first])
         gap += a_j - self.end - (a_i - self.start) - straight - bent
         vector = _times(np.swapaxes(self.axes, -1, -2), blade.turn[:, 1:])
         there = product(q_i, np.concatenate([blade.turn[:, :1], vector], axis=-1))
-        apart = product(q_j, conjugate(there))
+        seat = q_j if here.turned is None else product(q_j, here.turned)
+        apart = product(seat, conjugate(there))
         apart = np.where(apart[:, :1] < 0.0, -apart, apart)
         w, V = apart[:, :1, None] * np.eye(3), skew(apart[:, 1:])
         near, far = w - V, w + V
@@ -272,7 +290,7 @@ class Assembly(NamedTuple):
         right = np.zeros_like(at.residual)
         for i in range(self.bodies):
             right[k_f + 6 * i : k_f + 6 * i + 6] = -at.basis[i].T @ pushed[6 * i : 6 * i + 6]
-        if self.growth.any() and not demand.grown:
+        if (self.growth.any() or demand.missed is not None) and not demand.grown:
             still = demand._replace(forces=())
             right += self.linearise(x, 0.0, still).residual - self.linearise(x, 1.0, still).residual
         rate = self._change(x, at, right, demand.after - demand.before, demand, settled=True)

@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.space.layout import Drive, SpaceLayout, SpaceLoad, Vector
+from flexcli.mechanics.space.layout import Drive, MissedSeat, SpaceLayout, SpaceLoad, Vector
 
 __all__ = ["Demand", "Force", "Frame", "Held", "Spring", "demand_of", "drive_frame"]
 
@@ -63,7 +63,7 @@ class Demand(NamedTuple):
     """Coordinates held (6 body + 0…5), the free ones, values before and after, loads, springs.
 
     ``turned`` are the bodies whose rotation vector is held in part. ``grown`` says that bodies and
-    blades have their temperature from the start; else it comes on the way.
+    blades have their temperature from the start; else it comes on the way, as a ``missed`` seat.
     """
 
     held: NDArray[np.intp]
@@ -74,6 +74,11 @@ class Demand(NamedTuple):
     springs: tuple[Spring, ...]
     turned: NDArray[np.bool_]
     grown: bool = False
+    missed: MissedSeat | None = None
+
+    def off(self, share: float) -> MissedSeat | None:
+        """Return the seat that is off as far as it is at the share λ of the way."""
+        return None if self.missed is None else self.missed.times(self.warmth(share))
 
     def warmth(self, share: float) -> float:
         """Return the share of the temperature that is there at the share λ of the way."""
@@ -101,6 +106,7 @@ def demand_of(
     length: float,
     force: float,
     factor: float = 1.0,
+    missed: MissedSeat | None = None,
 ) -> Demand:
     """Return what is asked, from rest, scaled by a length [m] and a force [N]; points as scaled."""
     names = [body.name for body in layout.bodies]
@@ -147,4 +153,5 @@ def demand_of(
             for spring in layout.springs
         ),
         turned=turned,
+        missed=missed,
     )

@@ -24,6 +24,7 @@ from flexcli.mechanics.refinement import (
     refined,
 )
 from flexcli.mechanics.space.exact.assembly import (
+    UNTURNED,
     Assembly,
     Linearised,
     assemble,
@@ -39,16 +40,13 @@ from flexcli.mechanics.space.exact.second_variation import (
     inertia_count,
     second_variation,
 )
-from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, SpaceLoad, Vector
+from flexcli.mechanics.space.layout import BeamEffects, MissedSeat, SpaceLayout, SpaceLoad, Vector
 from flexcli.numerics.newton import NewtonResult
 
 __all__ = ["SpaceEquilibrium", "SpacePart", "beside", "solve", "started"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
-
-
-_REST = np.array([1.0, 0.0, 0.0, 0.0])
 
 
 class SpacePart(NamedTuple):
@@ -216,7 +214,7 @@ class _InSpace(NamedTuple):
         for one, rows in ((self.assembly, x), (fine.assembly, y)):
             at = [one.at(row) for row in rows]
             # by quaternions: they know no singular pose
-            moved = [np.append(a.shift, 2.0 * (a.turn - _REST)) for a in at]
+            moved = [np.append(a.shift, 2.0 * (a.turn - UNTURNED)) for a in at]
             pairs.append((np.array([a.forces for a in at]), np.array(moved)))
         return difference(pairs[0], pairs[1], fine.assembly.members.stretch, scale)
 
@@ -237,6 +235,7 @@ def solve(
     start: SpaceEquilibrium | None = None,
     levels: Sequence[int] = LEVELS,
     made: MembersOf = beams_of,
+    missed: MissedSeat | None = None,
 ) -> SpaceEquilibrium:
     """Return the equilibrium on the path from rest, or from ``start``, to the motions and loads.
 
@@ -265,6 +264,8 @@ def solve(
         Gauss nodes on a segment, level by level; a single one is taken as it is.
     made : callable
         Makes the blades: beams, or shells, whose levels are modes along a blade.
+    missed : MissedSeat, optional
+        A seat that is off, by as much as the share of the way.
 
     Returns
     -------
@@ -285,7 +286,14 @@ def solve(
     coarse = assemble(layout, effects, levels[0], frames, made)
     length, force = coarse.length, coarse.force
     demand = demand_of(
-        layout, {} if held is None else held, loads, coarse.points, length, force, load_factor
+        layout,
+        {} if held is None else held,
+        loads,
+        coarse.points,
+        length,
+        force,
+        load_factor,
+        missed,
     )
     x = coarse.rest()
     if start is not None:

@@ -14,6 +14,7 @@ __all__ = [
     "matrix_of",
     "moved",
     "product",
+    "quaternion_of",
     "skew",
     "spin_slope",
     "spin_tangent",
@@ -61,6 +62,12 @@ def product(p: Floats, q: Floats) -> Floats:
     a, u, b, v = p[..., :1], p[..., 1:], q[..., :1], q[..., 1:]
     w = a * b - np.sum(u * v, axis=-1, keepdims=True)
     return np.concatenate([w, a * v + b * u + cross(u, v)], axis=-1)
+
+
+def quaternion_of(phi: Floats) -> Floats:
+    """Return the quaternions (..., 4) of unit length of rotation vectors (..., 3) [rad]."""
+    half = np.linalg.norm(phi, axis=-1, keepdims=True) / 2.0
+    return np.concatenate([np.cos(half), np.sinc(half / np.pi) / 2.0 * phi], axis=-1)
 
 
 def conjugate(q: Floats) -> Floats:

@@ -67,7 +67,7 @@ def second_variation(
     assembly: Assembly, demand: Demand, at: Linearised, x: Floats, share: float
 ) -> SecondVariation:
     """Return the second variation about an equilibrium x at the share λ."""
-    assembly, state = assembly.warmed(demand.warmth(share)), assembly.at(x)
+    assembly, state = assembly.on_the_way(demand, share), assembly.at(x)
     blades, bodies = assembly.blades, assembly.bodies
     k_f = 6 * blades
     H = np.zeros((k_f + 6 * bodies + 6,) * 2)

@@ -120,7 +120,7 @@ def section_states(state: SpaceEquilibrium) -> list[SectionStates]:
 def beams_of_state(state: SpaceEquilibrium) -> tuple[Beams, Floats]:
     """Return the beams of an equilibrium, and what is inside of them."""
     part = state.part
-    assembly = part.assembly.warmed(part.demand.warmth(part.share))
+    assembly = part.assembly.on_the_way(part.demand, part.share)
     if not isinstance(assembly.members, Beams):
         raise TypeError("the blades of this equilibrium are no beams")
     return assembly.members, assembly.at(part.x).inside
