@@ -494,19 +494,19 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
     more = (second + inside) / (most * max(1.0 - after.buckling, 1.0 - SOFTENED)) + third_order(
         after
     )
-    first = _of_small_motion(joint, state, here)
-    if more > KNOWN or first is None:
+    springs = _of_springs(joint, state)
+    if more > KNOWN or springs is None:
         return None
-    more = more / (1.0 - more)
-    return first + ErrorRange(-more, more)
+    off = more / (1.0 - more) + warping_change(here, most)
+    return springs + ErrorRange(-off, off)
 
 
-def _of_small_motion(
-    joint: SpaceJoint, state: SpaceState, here: list[BladeStress]
-) -> ErrorRange | None:
-    """Return the error of the largest stress in a state but for what small motion leaves out."""
-    most = max(largest_stress(each) for each in here)
-    off = spring_change(joint, state) + warping_change(here, most)
+def _of_springs(joint: SpaceJoint, state: SpaceState) -> ErrorRange | None:
+    """Return the error of the largest stress by the springs' own, and by the kind of sections.
+
+    What small motion leaves out and what restrained warping may be come besides.
+    """
+    off = spring_change(joint, state)
     around = AROUND_ERROR if any(isinstance(x, SpaceRod) for x in joint.layout.blades) else 0.0
     hinges = hull(hinge_stress_error(blade) for blade in joint.layout.blades)
     return None if hinges is None else ErrorRange(-off - around, off) + hinges
@@ -640,13 +640,12 @@ def misfit_stresses(
             continue
         found = stresses.of(state.moved.forces[:, 0], state.weights)
         here = max(found, key=largest_stress)
-        first = whole = None
+        springs = whole = None
         if joint.is_known_in_stress:
-            first = _of_small_motion(joint, state, found)
-            whole = _of_state(joint, state, stresses)
+            springs, whole = _of_springs(joint, state), _of_state(joint, state, stresses)
         place = here.where[int(np.argmax(equivalent(here.normal, here.shear)))]
         where = f"{here.name}, {place}, {stresses.names[blade]} being off"
-        yield MisfitStress(missed, largest_stress(here), where, first, whole)
+        yield MisfitStress(missed, largest_stress(here), where, springs, whole)
 
 
 def worst_misfit(found: Iterable[tuple[Told, str]]) -> tuple[Told, str]:

@@ -65,14 +65,14 @@ def _by_beams(ask: Ask, small: MisfitStress, sense: float, model: StressModel) -
     ratio = largest * SMALL / model.largest(first)[0]
     where = small.where if ratio == 1.0 else f"{blade}, {_being_off(state, small)}"
     value, more = small.stress * ratio, abs(ratio - 1.0)
-    if small.first is None:
+    if small.springs is None:
         return Told(value, None), where
     try:
-        share = max(load_error(ask), unsure_springs(_joint(ask))) + small.first.largest
+        share = max(load_error(ask), unsure_springs(_joint(ask))) + small.springs.largest
     except SolveError as error:
         raise NotAvailable(f"has no errors by beams: {error}") from error
-    off = share * more * (1.0 + more) / ratio
-    return Told(value, small.first + ErrorRange(-off, off)), where
+    off = share * more * (1.0 + more) / ratio + model.unsure(state, largest) / largest
+    return Told(value, small.springs + ErrorRange(-off, off)), where
 
 
 def _by_itself(ask: Ask, small: MisfitStress, sense: float, model: StressModel) -> tuple[Told, str]:

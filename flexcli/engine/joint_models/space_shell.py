@@ -19,7 +19,7 @@ from flexcli.mechanics.shell.stresses import (
     CORNER,
     rod_stresses,
     shell_stresses,
-    twist_in_corners,
+    twisted_corners,
 )
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.support import driven_stiffness
@@ -93,11 +93,11 @@ class SpaceShellModel(SpaceExactModel):
     def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> float:
         """Return by how much less it is where corners count that are twice as large [Pa].
 
-        And by how much more there is in the corners that is of twist.
+        Or by how much more there is nominally in the corners, of twist.
         """
         outside = _signed(state, 2.0 * CORNER).values()
         smaller = max(float(np.max(np.abs(each))) for each in outside)
-        return largest - smaller + twist_in_corners(state)
+        return max(largest - smaller, twisted_corners(state) - largest)
 
 
 def _signed(state: SpaceEquilibrium, corner: float) -> dict[str, Floats]:

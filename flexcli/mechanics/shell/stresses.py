@@ -18,7 +18,7 @@ from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import BladeStress, beam_stresses
 from flexcli.mechanics.space.layout import SpaceBlade
 
-__all__ = ["CORNER", "FaceStress", "rod_stresses", "shell_stresses", "twist_in_corners"]
+__all__ = ["CORNER", "FaceStress", "rod_stresses", "shell_stresses", "twisted_corners"]
 
 Floats = NDArray[np.float64]
 
@@ -59,14 +59,14 @@ def shell_stresses(state: SpaceEquilibrium, corner: float = CORNER) -> tuple[Fac
     return tuple(each.outside(corner) for each in _all_over(state))
 
 
-def twist_in_corners(state: SpaceEquilibrium, corner: float = CORNER) -> float:
-    """Return how much larger von Mises' stress of twist is in corners than outside [Pa].
+def twisted_corners(state: SpaceEquilibrium, corner: float = CORNER) -> float:
+    """Return the largest stress of von Mises in corners of what is nominal there [Pa].
 
-    That is up to a thickness from the clamps and long sides, and zero where it is not larger. A
-    twisted blade that may not warp at its clamps is stressed along at its edges as nominally as it
-    is by bending, in opposite ways on both faces and both edges: that part counts.
+    A twisted blade that may not warp at its clamps is stressed along at its edges as nominally as
+    it is by bending, in opposite ways on both faces and both edges: that part counts up to a
+    thickness from the clamps and long sides, with what else there is where the corner ends.
     """
-    return max((each.twist_beyond(corner) for each in _all_over(state)), default=0.0)
+    return max((each.twisted_corners(corner) for each in _all_over(state)), default=0.0)
 
 
 class _Faces(NamedTuple):
@@ -95,16 +95,21 @@ class _Faces(NamedTuple):
         s, z = (each[kept] for each in np.meshgrid(self.s, self.z, indexing="ij"))
         return FaceStress(self.name, s, z, *np.moveaxis(self.sigma[:, kept], -1, 0))
 
-    def twist_beyond(self, corner: float) -> float:
-        """Return how much larger the stress of twist is in corners than outside [Pa]."""
+    def twisted_corners(self, corner: float) -> float:
+        """Return the largest stress in corners: of twist there, of all else where they end."""
         odd = (self.sigma[0] - self.sigma[1]) / 2.0
         signs = np.array([-1.0, -1.0, 1.0])  # shear is alike at both edges, what is along is not
-        twist = (odd + signs * odd[:, ::-1]) / 2.0
-        each = [
-            float(np.max(_mises(*np.moveaxis(twist[self.beside(size)], -1, 0)), initial=0.0))
-            for size in (0.0, corner)
-        ]
-        return max(each[0] - each[1], 0.0)
+        of_twist = (odd + signs * odd[:, ::-1]) / 2.0
+        twist = np.stack([of_twist, -of_twist])
+        beside = self.beside(corner)
+        # along each line from clamp to clamp, the places where its corners end
+        first = np.argmax(beside, axis=0)
+        last = self.s.size - 1 - np.argmax(beside[::-1], axis=0)
+        rows = np.clip(np.arange(self.s.size)[:, None], first, last)
+        rest = np.take_along_axis(self.sigma - twist, rows[None, ..., None], axis=1)
+        inside = self.beside(0.0) & ~beside
+        found = _mises(*np.moveaxis((rest + twist)[:, inside], -1, 0))
+        return float(np.max(found, initial=0.0))
 
 
 def _mises(along: Floats, across: Floats, shear: Floats) -> Floats:

@@ -52,14 +52,14 @@ class Told(NamedTuple):
 class MisfitStress(NamedTuple):
     """The largest stress by a missed seat in small motion [Pa], and where it is.
 
-    ``first`` is the relative error of small motion itself, ``error`` that with what small motion
-    leaves out; None where it is unknown.
+    ``springs`` is the relative error by the springs of the blades, ``error`` that with restrained
+    warping and what small motion leaves out; None where it is unknown.
     """
 
     missed: "MissedSeat"
     stress: float
     where: str
-    first: ErrorRange | None
+    springs: ErrorRange | None
     error: ErrorRange | None
 
 
