@@ -53,6 +53,7 @@ __all__ = [
     "bent_by_gradient",
     "beyond_first_order",
     "beyond_linear_sag",
+    "changed_by_heat",
     "hinge_stress_error",
     "hull",
     "largest_stress",
@@ -233,8 +234,36 @@ def left_by_temperature(ask: Ask) -> tuple[float, ...]:
     return tuple(found.tolist())
 
 
+def changed_by_heat(joint: SpaceJoint) -> ErrorRange | None:
+    """Return by what share of itself what a temperature strains changes a compliance at most.
+
+    Its forces make any stiffness of straight blades and bodies as much less as the share that they
+    are of those which turn them aside, and as much more as they are of these reversed: the largest
+    changes of the stiffness of bodies that move anywhere.
+
+    Returns
+    -------
+    range : ErrorRange or None
+        Nothing where it is not small.
+
+    """
+    if not joint.layout.grows:
+        return EXACT
+    heat = warmed(joint.assembly, locked=False)
+    times = 1.0 if joint.is_uniform else UNEVEN
+    softer, stiffer = (
+        times * combined([heat], [sense]).following().buckling for sense in (1.0, -1.0)
+    )
+    if max(softer, stiffer) > KNOWN:
+        return None
+    return ErrorRange(1.0 / (1.0 + stiffer) - 1.0, 1.0 / (1.0 - softer) - 1.0)
+
+
 def sag(joint: SpaceJoint, scene: Scene) -> Told:
-    """Return the sag of the moving body's point along a steady acceleration [m]."""
+    """Return the sag of the moving body's point along a steady acceleration [m].
+
+    What a temperature strains is in its error.
+    """
     body = joint.layout.body(joint.layout.drive.body)
     along = np.array([float(axis == scene.axis) for axis in "xyz"])
     acting = Acting(0.0, np.zeros(6), body.point, scene.acceleration * along)
@@ -248,8 +277,10 @@ def sag(joint: SpaceJoint, scene: Scene) -> Told:
     if more > KNOWN:
         return Told(found, None)
     answer = joint.assembly.moved(row[:, None]).deformations[:, 0]
-    error = joint.form(answer, state.moved.deformations[:, 0]).error
-    return Told(found, None if error is None else error + ErrorRange(-more, more))
+    error, heat = joint.form(answer, state.moved.deformations[:, 0]).error, changed_by_heat(joint)
+    if error is None or heat is None:
+        return Told(found, None)
+    return Told(found, error + heat + ErrorRange(-more, more))
 
 
 def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) -> float | None:

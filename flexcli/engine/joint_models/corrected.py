@@ -1,6 +1,7 @@
 """A model with corrections for effects that it does not carry itself: each by its formula, once."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -22,7 +23,7 @@ from flexcli.parts.requirements import (
     MisfitStress,
     Told,
 )
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
     from flexcli.mechanics.space.springs import MemberSprings
@@ -277,7 +278,24 @@ class Corrected(JointModel):
             self._left(ask, kind, found, self.inner.sag_carries(ask)),
             beyond_linear_sag(ask),
         )
-        return None if left is None or more is None else left + ErrorRange(-more, more)
+        heat = self._heat_in_sag(ask)
+        if left is None or more is None or heat is None:
+            return None
+        return left + heat + ErrorRange(-more, more)
+
+    def _heat_in_sag(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of a sag by what a temperature strains, which stiffness has along it."""
+        if ask.scene.temperature is None or ask.geometry.sags_along_stroke(ask.scene.axis):
+            return EXACT
+        with suppress(NotAvailable):
+            return self.inner.heat_in_sag(ask)
+        from flexcli.parts.space_joint import joint_of
+        from flexcli.parts.space_states import changed_by_heat
+
+        try:
+            return changed_by_heat(joint_of(ask))
+        except NotAvailable:  # no shear modulus, or no blades
+            return None
 
     def _beside_stroke(self, ask: Ask) -> ErrorRange | None:
         """Return what of a stress is not the stroke's: of a force beside it, of blades' weight."""

@@ -56,7 +56,7 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
     from flexcli.parts.space_joint import Form
 
-__all__ = ["ExactModel", "alone", "driven_stiffness", "shifts_of"]
+__all__ = ["ExactModel", "alone", "driven_stiffness", "hanging", "shifts_of"]
 
 Floats = NDArray[np.float64]
 
@@ -102,6 +102,7 @@ class ExactModel(JointModel):
         self._known_states: Remembered[Equilibrium] = Remembered(of_blades=True)
         self._known_pairs: Remembered[tuple[float, float]] = Remembered("exact", of_blades=True)
         self._known_critical: Remembered[tuple[Critical, ...]] = Remembered(of_blades=True)
+        self._known_sags: Remembered[Told] = Remembered()
 
     def shares(self, other: JointModel) -> None:
         """Share the equilibria of beams, which other exact models have as well."""
@@ -201,7 +202,23 @@ class ExactModel(JointModel):
         """Return the stiffness along the case's acceleration, the joint free but for its guide."""
         if ask.geometry.sags_along_stroke(ask.scene.axis):
             return self.stiffness(ask)
-        return 1.0 / _hanging(ask).found
+        try:
+            ratio = self._warm_sag(ask).value
+        except NotAvailable:
+            ratio = 1.0
+        return 1.0 / (hanging(ask).found * ratio)
+
+    def _warm_sag(self, ask: Ask) -> Told:
+        """Return what a temperature strains makes of a sag off the stroke [-]."""
+        if ask.scene.temperature is None:
+            return Told(1.0, EXACT)
+        from flexcli.engine.joint_models.space_deflection import warm_sag_ratio
+
+        return self._known_sags.of("warm sag", ask, lambda: warm_sag_ratio(ask))
+
+    def heat_in_sag(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of what a temperature strains, which exact beams in space have."""
+        return self._warm_sag(ask).error
 
     def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
         """Return what the springs in space and their error have, off the stroke."""
@@ -240,7 +257,7 @@ class ExactModel(JointModel):
             found = self._stiffness(ask)[1]
             return ErrorRange(-found, found) if isfinite(found) else None
         joint = ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes, ask.scene.axis
-        error = _hanging(ask).error
+        error = hanging(ask).error
         if error is None:
             return None
         try:
@@ -383,7 +400,7 @@ def alone(ask: Ask) -> Ask:
     return ask._replace(scene=scene.without_loads()._replace(ends=None, lock=None))
 
 
-def _hanging(ask: Ask) -> "Form":
+def hanging(ask: Ask) -> "Form":
     """Return how far a force along the case's acceleration moves the body's point, per force."""
     from flexcli.parts.requirements.support import deflection_form
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.blade_weight import LEAST, BladeWeights, forced_stress
 from flexcli.engine.joint_models.buckling import linear_critical_forces
-from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.exact import ExactModel, hanging
 from flexcli.engine.joint_models.face_stress import worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import layout_of, linearly, of_case
@@ -119,6 +119,8 @@ class LinearModel(JointModel):
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
+        if not ask.geometry.sags_along_stroke(ask.scene.axis):
+            return 1.0 / hanging(ask).found
         return ExactModel(self.effects).sag_stiffness(ask)
 
     def sag_carries(self, ask: Ask) -> frozenset[EffectName]:

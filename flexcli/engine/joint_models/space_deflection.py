@@ -1,6 +1,6 @@
 """How far loads move a joint in space: exact beams under them, and tangents at a stroke."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from math import inf
 from typing import NamedTuple
@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.space_errors import strain_error
 from flexcli.engine.joint_models.space_stroke import (
     BEAMS,
     Blades,
@@ -26,15 +27,22 @@ from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceLoad, SpaceRod
 from flexcli.mechanics.space.second_order import SecondOrder
-from flexcli.mechanics.space.states import Acting, SpaceState, action, combined
+from flexcli.mechanics.space.states import Acting, SpaceState, action, combined, warmed
 from flexcli.parts.elastic import Buckled, NotAvailable
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import Ask, Told
 from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of, deflection_form
-from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space
+from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
 from flexcli.parts.space_states import acting_groups
 from flexcli.results import ErrorRange
 
-__all__ = ["Springs", "deflections", "load_error", "sag_changes", "unsure_springs"]
+__all__ = [
+    "Springs",
+    "deflections",
+    "load_error",
+    "sag_changes",
+    "unsure_springs",
+    "warm_sag_ratio",
+]
 
 Floats = NDArray[np.float64]
 
@@ -89,11 +97,12 @@ ROUNDING = 1e-9
 class _Tangent(NamedTuple):
     """The compliance along the axes of cases at a travel (6, 6), of beams and of what is finest.
 
-    ``coarser`` is that on the level before; ``off`` is by what share of √(g·C g · f·C f) the motion
-    g·C f may be off besides, if that is known.
+    Without a travel it is that of a temperature alone, the drive free. ``coarser`` is that on the
+    level before; ``off`` is by what share of √(g·C g · f·C f) the motion g·C f may be off besides,
+    if that is known.
     """
 
-    travel: float
+    travel: float | None
     beams: Floats
     finest: Floats
     coarser: Floats
@@ -151,7 +160,8 @@ def deflections(
     To the deflection of the joint at rest by its best springs, what the size of the wrench changes
     and what the stroke changes are added, both by exact beams; each is known to a share of itself.
     At a stroke the tangent there, by beams and by shells, is as sure as a support stiffness is;
-    what is surest counts. Where the model has ``springs`` of its own, the deflection at rest is by
+    what is surest counts. A temperature changes it as a stroke does, and loads find the joint as
+    it leaves it. Where the model has ``springs`` of its own, the deflection at rest is by
     these, and what is changed by beams as far as they are like them. No load in the plane of a
     joint that is its own mirror image there moves it out of it.
 
@@ -164,8 +174,6 @@ def deflections(
 
     """
     scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
-    if scene.temperature is not None:
-        raise NotAvailable("has no deflection by exact beams beside a temperature")
     assert scene.wrench is not None  # of a case that has one
     load, sought = np.array(scene.wrench), motion_at(point)[DIRECTIONS.index(direction)]
     if joint.is_mirrored and not (np.any(load[OUT]) or np.any(sought[IN])):
@@ -173,17 +181,22 @@ def deflections(
     centre = joint.layout.body(joint.layout.drive.body).point
     state = action(joint.assembly, Acting(0.0, along_cases(ask).T @ load, centre, np.zeros(3)))
     try:
-        rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
-        ends = dict.fromkeys(scene.stroke_ends) if scene.moves else (0.0,)
+        at_rest = at_travel(ask, 0.0, warm=False)
+        rest = still = compliance_along_cases(ask, at_rest, CENTRE, locked=False)
+        ends: Iterable[float | None] = dict.fromkeys(scene.stroke_ends) if scene.moves else (0.0,)
+        if scene.temperature is not None:
+            left = at_travel(ask, None)
+            still = compliance_along_cases(ask, left, CENTRE, locked=False)
+            ends = ends if scene.moves else (None,)
         there = [_tangents(ask, travel, blades) for travel in ends]
     except SolveError as failed:
         raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
     form = deflection_form(ask, sought, load)
-    asked = _Asked(ask, joint, sought, load, rest, form, springs)
+    asked = _Asked(ask, joint, sought, load, (rest, still), form, springs)
     found = []
     for sign, moved in _either_way(ask, state, sought):
         acting = combined([state], [sign])
-        own = moved - sign * float(sought @ rest @ load)
+        own = moved - sign * float(sought @ still @ load)
         for tangents in there:
             told = [asked.from_rest(sign, own, tangents[0])]
             told += [
@@ -196,7 +209,10 @@ def deflections(
 
 
 class _Asked:
-    """A motion under a load that is asked for, and what is known of it at rest."""
+    """A motion under a load that is asked for, and what is known of it at rest.
+
+    ``rests`` are the compliances by beams unstrained, and as the temperature leaves them.
+    """
 
     def __init__(
         self,
@@ -204,11 +220,12 @@ class _Asked:
         joint: SpaceJoint,
         sought: Floats,
         load: Floats,
-        rest: Floats,
+        rests: tuple[Floats, Floats],
         form: Form,
         springs: Springs | None,
     ) -> None:
-        self.ask, self.sought, self.load, self.rest, self.form = ask, sought, load, rest, form
+        self.ask, self.sought, self.load, self.form = ask, sought, load, form
+        self.rest, self.still = rests
         self.turns = joint.layout.drive.turns
         # a stroke in the plane leaves what acts in it and across it apart
         self.kept = np.arange(6)
@@ -220,7 +237,8 @@ class _Asked:
             springs,
         )
         self.beams = max(load_error(ask), self.unsure)
-        self.beams += _largest_share(compliance_of(ask) - rest, rest)
+        self.beams += _largest_share(compliance_of(ask) - self.rest, self.rest)
+        self.of_heat = _heat_error(ask)
 
     def from_rest(self, sign: float, own: float, end: _Tangent) -> _Told:
         """Return it by what the stroke and the size of the load, ``own``, change at rest."""
@@ -236,7 +254,9 @@ class _Asked:
         used = float((g @ size @ g) * (f @ size @ f)) ** 0.5
         off = self._grown(own, work)
         if self.springs is None:
-            off += STROKE_ERROR * used + max(ASTRAY, self.unsure) * share * work
+            # what is off of a stiffness by as much is more of a compliance that it raises
+            of_change = max(STROKE_ERROR, self.of_heat * (1.0 + share))
+            off += of_change * used + max(ASTRAY, self.unsure) * share * work
         elif end.travel != 0.0:
             off += self.springs.off(used, work)
         off += abs(own) * share + cancelled
@@ -255,9 +275,10 @@ class _Asked:
         work = float((one * other) ** 0.5)
         size = np.sqrt(np.outer((one, other), (one, other)))
         level = float(np.abs(pair @ (end.coarser - end.finest) @ pair.T / size).max())
-        doubt = abs(own) * _largest_share(end.beams - self.rest, self.rest)
+        doubt = abs(own) * _largest_share(end.beams - self.still, self.still)
         # rotations about several axes do not add up
-        if doubt > ROUNDING * work and not (self.turns and self.sought[3:].any()):
+        turned = self.turns and bool(self.sought[3:].any())
+        if end.travel is not None and doubt > ROUNDING * work and not turned:
             with suppress(NotAvailable, SolveError):
                 moved = _moved_at(self.ask, end.travel, loads, self.sought)
                 own, doubt = moved - sign * float(self.sought @ end.beams @ self.load), 0.0
@@ -309,9 +330,36 @@ def sag_changes(ask: Ask) -> Iterator[tuple[float, float]]:
         yield more, beams * abs(more) * (1.0 + abs(more))
 
 
+def warm_sag_ratio(ask: Ask) -> Told:
+    """Return what a temperature strains makes of a small sag, by exact beams, the drive free [-].
+
+    Raises
+    ------
+    NotAvailable
+        When there is no stable equilibrium, or nobody compared.
+
+    """
+    joint, axis = joint_in_space(ask.geometry, ask.material, ask.sizes), ask.scene.axis
+    groups = acting_groups(joint, ask.scene._replace(stated=(0.0,) * 6))
+    states = [action(joint.assembly, each) for each in groups]
+    loads = combined(states, [SMALL] * len(states)).loads
+    row = np.eye(6)["xyz".index(axis)] @ along_cases(ask)
+    body = joint.layout.body(joint.layout.drive.body)
+    try:
+        cold, warm, left = (
+            float(row @ at_travel(ask, None, loads=own, warm=heat).motion_of(body.name, body.point))
+            for own, heat in ((loads, False), (loads, True), ((), True))
+        )
+    except SolveError as failed:
+        raise NotAvailable(f"has no sag by exact beams: {failed}") from failed
+    ratio = (warm - left) / cold
+    off = _heat_error(ask) * abs(ratio - 1.0) + SOLVED
+    return Told(ratio, ErrorRange(-off, off))
+
+
 def load_error(ask: Ask) -> float:
     """Return by what share of itself what the size of a load changes is off by beams, at most."""
-    known = BEAMS.errors(at_travel(ask, 0.0))
+    known = BEAMS.errors(at_travel(ask, 0.0, warm=False))
     return LOAD_ERROR if known is None else min(LOAD_ERROR, OF_SUPPORT * known.support)
 
 
@@ -338,7 +386,7 @@ def _is_very_wide(blade: SpaceBlade | SpaceRod) -> bool:
     return blade.b > WIDE * l
 
 
-def _tangents(ask: Ask, travel: float, blades: Blades) -> list[_Tangent]:
+def _tangents(ask: Ask, travel: float | None, blades: Blades) -> list[_Tangent]:
     """Return the compliances at a travel by beams, and by what is finer where that takes them.
 
     Narrow blades are beams rather than thin shells.
@@ -350,7 +398,18 @@ def _tangents(ask: Ask, travel: float, blades: Blades) -> list[_Tangent]:
     return found
 
 
-def _tangent(ask: Ask, travel: float, blades: Blades) -> _Tangent:
+def _heat_error(ask: Ask) -> float:
+    """Return by what share of itself beams may be off in what a temperature strains.
+
+    Where nobody compared it may be off by itself.
+    """
+    if ask.scene.temperature is None:
+        return 0.0
+    found = strain_error(at_travel(ask, None))
+    return 1.0 if found is None else found
+
+
+def _tangent(ask: Ask, travel: float | None, blades: Blades) -> _Tangent:
     """Return the compliances at a travel, by beams and by the blades that are given."""
 
     def compliance(state: SpaceEquilibrium) -> Floats:
@@ -361,6 +420,9 @@ def _tangent(ask: Ask, travel: float, blades: Blades) -> _Tangent:
     if known is None or state.coarser is None or known.support >= 1.0:
         return _Tangent(travel, beams, beams, beams, None)
     off = (1.0 + ask.clamp_softening) / (1.0 - known.support) - 1.0
+    if ask.scene.temperature is not None:
+        cold = compliance_along_cases(ask, at_travel(ask, 0.0, warm=False), CENTRE, locked=False)
+        off += _heat_error(ask) * _largest_share(beams - cold, cold)
     return _Tangent(travel, beams, compliance(state), compliance(state.coarser), off)
 
 
@@ -369,25 +431,45 @@ def _either_way(ask: Ask, state: SpaceState, sought: Floats) -> Iterator[tuple[f
 
     The sense that is nearer to buckling the joint comes first, for it may be all that counts.
     """
-    after = {sign: combined([state], [sign]).following() for sign in (1.0, -1.0)}
+    heat, rest = [], 0.0
+    if ask.scene.temperature is not None:
+        heat, rest = [warmed(joint_of(ask).assembly, locked=False)], _left(ask, sought)
+        state = SpaceState(
+            heat[0].assembly, state.moved, state.weights, state.loads, locked=state.locked
+        )
+    after = {
+        sign: combined([state, *heat], [sign, *(1.0 for _ in heat)]).following()
+        for sign in (1.0, -1.0)
+    }
     more = BEYOND * (1.0 + unsure_springs(joint_in_space(ask.geometry, ask.material, ask.sizes)))
     for sign in sorted(after, key=lambda each: -after[each].buckling):
         acting, second = combined([state], [sign]), after[sign]
-        if second.buckling > FAR:
+        if second.buckling > FAR and not heat:
             _prove_buckled(ask, acting, second)
         if second.rotation > TURNED:
             raise NotAvailable("has no deflection that is told: its blades turn too far")
         try:
-            moved = _moved(ask, acting, sought)
+            moved = _moved(ask, acting, sought) - rest
             if second.buckling > 0.0 and second.buckling * more > NEAR:
                 # what a little more of it buckles may be buckled
                 if more == inf:
                     raise NotAvailable("nobody knows how near its blades are to buckling")
                 _moved(ask, combined([acting], [more]), sought)
         except (NotAvailable, SolveError) as failed:
-            _prove_buckled(ask, acting, second)
+            if not heat:
+                _prove_buckled(ask, acting, second)
             raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
         yield sign, moved
+
+
+def _left(ask: Ask, sought: Floats) -> float:
+    """Return how far a temperature alone moves what is sought, the drive free [m or rad]."""
+    try:
+        state = at_travel(ask._replace(near=None), None)
+    except SolveError as failed:
+        raise NotAvailable(f"has no equilibrium at its temperature: {failed}") from failed
+    body = state.layout.body(state.layout.drive.body)
+    return float(sought @ along_cases(ask) @ state.motion_of(body.name, body.point))
 
 
 def _moved(ask: Ask, acting: SpaceState, sought: Floats) -> float:

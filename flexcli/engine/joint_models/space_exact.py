@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
-from flexcli.engine.joint_models.space_deflection import deflections
+from flexcli.engine.joint_models.space_deflection import deflections, warm_sag_ratio
 from flexcli.engine.joint_models.space_errors import StrokeErrors, strain_error, width_error
 from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
@@ -57,6 +57,7 @@ from flexcli.parts.space_states import (
     WARPING_ERROR,
     acting_groups,
     bent_by_gradient,
+    sag,
     senses,
 )
 from flexcli.parts.worst_places import worst_places
@@ -112,6 +113,13 @@ class SpaceExactModel(SpaceLinearModel):
         joint = joint_of(ask, warm=False)
         travel = joint.assembly.moved(travel=np.ones(1))
         return float(travel.drive[0]) * self._warm_stiffness(ask).value
+
+    def _sag(self, ask: Ask) -> Told:
+        """Return the sag, with what a temperature strains makes of it."""
+        if ask.scene.temperature is not None:
+            with suppress(NotAvailable):
+                return self._told.of("sag", ask, lambda: _warm_sag(ask))
+        return super()._sag(ask)
 
     def _warm_stiffness(self, ask: Ask) -> Told:
         """Return what the strain of a temperature makes of the stiffness along the motion [-]."""
@@ -529,6 +537,12 @@ def _stress_of_weight(joint: SpaceJoint, acting: Acting) -> float:
     )
     found = Stresses(joint.assembly).of(np.zeros(len(joint.assembly.rows)), weights)
     return max(float(np.max(equivalent(each.normal, each.shear))) for each in found)
+
+
+def _warm_sag(ask: Ask) -> Told:
+    """Return the sag at a temperature: unstrained, times what the strain makes of a small one."""
+    ratio, error = warm_sag_ratio(ask)
+    return sag(joint_of(ask, warm=False), ask.scene).times(ratio, error)
 
 
 def _changed(

@@ -278,6 +278,13 @@ class JointModel(ABC):
         """Return the sag in either sense of the acceleration, beyond first order [m]."""
         raise NotAvailable("has no sag beyond first order by this model: take --model exact")
 
+    def heat_in_sag(self, ask: Ask) -> ErrorRange | None:
+        """Return the relative error of what a temperature strains in a sag off the stroke.
+
+        It is not available where the model's sag is that at assembly.
+        """
+        raise NotAvailable("has no thermal forces in its sag by this model: take --model exact")
+
     def sag_changes(self, ask: Ask) -> tuple[tuple[float, float], ...]:
         """Return the relative change of a sag in either sense by its own size, and its error.
 

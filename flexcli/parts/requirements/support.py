@@ -27,8 +27,8 @@ from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, BoundAtStroke, Limit
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space
-from flexcli.parts.space_states import beyond_first_order
+from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
+from flexcli.parts.space_states import beyond_first_order, changed_by_heat
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -436,8 +436,8 @@ class Deflection(MotionBound):
         return scene.wrench is not None
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the wrench."""
-        return frozenset({LoadKind.WRENCH})
+        """Return the wrench, and a temperature that strains what it moves."""
+        return frozenset({LoadKind.WRENCH, LoadKind.TEMPERATURE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the deflection, whichever way it goes, against its bound."""
@@ -470,6 +470,9 @@ class Deflection(MotionBound):
         error: ErrorRange | None = None
         if not ask.scene.moves and form.error is not None:
             more = beyond_first_order(ask, compliance(ask, CENTRE) @ load, sought, load)
-            if more is not None:
+            heat = changed_by_heat(joint_of(ask))
+            if more is not None and heat is not None:
+                # of a motion that is not along its load, of what both would do
+                more += heat.largest * form.work / abs(form.found)
                 error = form.error + ErrorRange(-more, more)
         return form.found, error

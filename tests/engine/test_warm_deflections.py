@@ -1,0 +1,120 @@
+"""Deflections and sags of joints that a temperature strains, against beams under tension."""
+
+from math import sqrt, tan, tanh
+
+import pytest
+
+import flexcli
+from flexcli.results import Status, Verdict
+
+E, ALPHA, H, L, REACH = 114e9, 9e-6, 0.4e-3, 20e-3, 30e-3
+BRIDGE = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0, yield_strength: 830 MPa,
+           density: 1e-3 kg/m^3, thermal_expansion: 9e-6 1/K}}
+geometry:
+  kind: layout
+  bodies: {{st: {{at: [0 mm, 0 mm]}}}}
+  blades:
+    a: {{between: [ground, st], from: [-30 mm, 0 mm], to: [-10 mm, 0 mm], h: 0.4 mm, b: {b} m}}
+    c: {{between: [ground, st], from: [30 mm, 0 mm], to: [10 mm, 0 mm], h: 0.4 mm, b: {b} m}}
+  moving: st
+  motion: {{translation: 90 deg}}
+mechanism: {{kind: payload, mass: 100 g}}
+cases:
+  work: {{{load}, temperature: {{uniform: {warmer} K, expansion: {{ground: 0 1/K}}}}}}
+requirements:
+  yield: {{factor: 1e-6}}
+  {asked}
+"""
+
+
+def only(asked, warmer, load, b=0.5e-3, model=None):
+    """Return the row of what is asked of the bridge, and the whole answer."""
+    text = BRIDGE.format(asked=asked, warmer=warmer, load=load, b=b)
+    found = flexcli.check(text, model=model)
+    return next(row for row in found.checks if row.name.startswith(asked.split(":")[0])), found
+
+
+def given(row):
+    """Return the range of a motion against an upper bound."""
+    return [row.capacity / factor for factor in reversed(row.factor_range)]
+
+
+def softness(force, warmer, I, b):
+    """Return how far a force moves a body between two clamped beams under thermal tension."""
+    N = -E * b * H * ALPHA * warmer * REACH / L
+    k = sqrt(abs(N) / (E * I))
+    bent = L - 2.0 / k * (tanh(k * L / 2.0) if N > 0.0 else tan(k * L / 2.0))
+    sheared = 2.4 * L / (E * b * H)  # l/(κ G A), G = E/2; its part in the tension is small
+    return force / 2.0 * (bent / N + sheared)
+
+
+@pytest.mark.parametrize("warmer", [-60.0, -20.0, 10.0])
+def test_a_wrench_moves_a_strained_joint_as_beams_under_tension(warmer):
+    asked = "deflection: {direction: y, max: 1 m}"
+    row, _ = only(asked, warmer, "wrench: {y: 10 mN}", 2e-3)
+    true = softness(0.01, warmer, 2e-3 * H**3 / 12.0, 2e-3)
+    assert row.model == "exact"
+    assert row.demand == pytest.approx(true, rel=0.03)
+    assert given(row)[0] < true < given(row)[1] < 1.5 * given(row)[0]
+
+
+@pytest.mark.parametrize("warmer", [-60.0, -20.0, 20.0])
+def test_a_strained_joint_sags_across_its_plane_as_beams_under_tension(warmer):
+    b = 0.45e-3
+    row, _ = only("sag: {max: 1 m}", warmer, "acceleration: {level: 1 m/s^2, axis: z}", b)
+    true = softness(0.1, warmer, H * b**3 / 12.0, b)
+    assert row.demand == pytest.approx(true, rel=0.03)
+    assert given(row)[0] < true < given(row)[1] < 1.5 * given(row)[0]
+
+
+@pytest.mark.parametrize(
+    ("asked", "load"),
+    [
+        ("deflection: {direction: y, max: 1 m}", "wrench: {y: 10 mN}"),
+        ("sag: {max: 1 m}", "acceleration: {level: 1 m/s^2, axis: z}"),
+    ],
+)
+def test_no_small_motion_tells_what_a_temperature_that_buckles_a_joint_leaves(asked, load):
+    row, found = only(asked, 100.0, load)
+    assert row.verdict is Verdict.UNDECIDED
+    assert found.status is not Status.PASS
+
+
+def test_linear_springs_tell_what_little_strain_changes_and_leave_open_what_much_does():
+    asked, load = "deflection: {direction: y, max: 1 m}", "wrench: {y: 10 mN}"
+    row, _ = only(asked, -0.5, load, 2e-3, "linear")
+    true = softness(0.01, -0.5, 2e-3 * H**3 / 12.0, 2e-3)
+    assert given(row)[0] < true < given(row)[1]
+    assert only(asked, -20.0, load, 2e-3, "linear")[0].factor_range is None
+
+
+def test_hinges_that_a_temperature_does_not_strain_give_way_as_at_assembly():
+    text = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, thermal_expansion: 9e-6 1/K}}
+geometry: {{kind: notch-hinge, e: 0.1 mm, r: 1 mm, b: 2 mm, blocks: 2 mm}}
+cases: {{work: {{stroke: {{rotation: 1 mrad}}, wrench: {{z: 10 mN}}{heat}}}}}
+requirements: {{deflection: {{direction: z, max: 1 mm}}}}
+"""
+    cold, warm = (
+        flexcli.check(text.format(heat=heat), model="exact").checks[0]
+        for heat in ("", ", temperature: {uniform: 1 K}")
+    )
+    assert warm.demand == pytest.approx(cold.demand, rel=1e-3)
+    assert warm.factor_range == pytest.approx(cold.factor_range, rel=0.01)
+
+
+def test_a_temperature_that_strains_nothing_leaves_deflections_to_the_cheapest_model():
+    text = """
+flexure: 1
+material: {youngs_modulus: 114 GPa, poisson_ratio: 0.3, yield_strength: 830 MPa,
+           thermal_expansion: 9e-6 1/K}
+geometry: {kind: cantilever, h: 0.2 mm, l: 20 mm, b: 4 mm}
+cases: {work: {wrench: {y: 1 mN}, temperature: {uniform: 1 K}}}
+requirements: {deflection: {direction: y, max: 1 mm}}
+"""
+    (row,) = (each for each in flexcli.check(text).checks if each.name.startswith("deflection"))
+    assert row.model == "closed-form"
+    assert row.verdict is Verdict.PASS
