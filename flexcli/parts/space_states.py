@@ -234,12 +234,12 @@ def left_by_temperature(ask: Ask) -> tuple[float, ...]:
     return tuple(found.tolist())
 
 
-def changed_by_heat(joint: SpaceJoint) -> ErrorRange | None:
+def changed_by_heat(joint: SpaceJoint, *, locked: bool = False) -> ErrorRange | None:
     """Return by what share of itself what a temperature strains changes a compliance at most.
 
     Its forces make any stiffness of straight blades and bodies as much less as the share that they
     are of those which turn them aside, and as much more as they are of these reversed: the largest
-    changes of the stiffness of bodies that move anywhere.
+    changes of the stiffness of bodies that move anywhere. The drive is ``locked`` or free.
 
     Returns
     -------
@@ -249,7 +249,7 @@ def changed_by_heat(joint: SpaceJoint) -> ErrorRange | None:
     """
     if not joint.layout.grows:
         return EXACT
-    heat = warmed(joint.assembly, locked=False)
+    heat = warmed(joint.assembly, locked=locked)
     times = 1.0 if joint.is_uniform else UNEVEN
     softer, stiffer = (
         times * combined([heat], [sense]).following().buckling for sense in (1.0, -1.0)

@@ -118,3 +118,19 @@ requirements: {deflection: {direction: y, max: 1 mm}}
     (row,) = (each for each in flexcli.check(text).checks if each.name.startswith("deflection"))
     assert row.model == "closed-form"
     assert row.verdict is Verdict.PASS
+
+
+@pytest.mark.parametrize("warmer", [-60.0, -20.0, 10.0])
+def test_a_support_is_asked_at_the_temperatures_of_cases_too(warmer):
+    asked = "support: {direction: y, min: 1 N/m}"
+    row, found = only(asked, warmer, "wrench: {x: 1 mN}", 2e-3)
+    cold, warm = (each for each in found.checks if each.name == row.name)
+    assert (cold.case, warm.case) == ("", "work")
+    assert cold.capacity == pytest.approx(
+        1.0 / softness(1.0, -1e-9, 2e-3 * H**3 / 12.0, 2e-3), rel=1e-3
+    )
+    true = 1.0 / softness(1.0, warmer, 2e-3 * H**3 / 12.0, 2e-3)
+    assert warm.model == "exact"
+    assert warm.capacity == pytest.approx(true, rel=0.03)
+    low, high = warm.factor_range
+    assert low < true < high < 1.3 * low

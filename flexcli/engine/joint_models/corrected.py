@@ -218,6 +218,12 @@ class Corrected(JointModel):
         """Return the support stiffness at both ends of the stroke, which needs no correction."""
         return self.inner.support_at_stroke(ask, index, point, locked=locked)
 
+    def warm_support_ratio(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> Told:
+        """Return that of the inner model."""
+        return self.inner.warm_support_ratio(ask, index, point, locked=locked)
+
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str
     ) -> tuple[tuple[float, ErrorRange | None], ...]:

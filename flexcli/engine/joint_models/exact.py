@@ -275,6 +275,14 @@ class ExactModel(JointModel):
 
         return support_at_stroke(ask, index, point, locked=locked)
 
+    def warm_support_ratio(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> Told:
+        """Return the ratio by exact beams in space."""
+        from flexcli.engine.joint_models.space_stroke import warm_support_ratio
+
+        return warm_support_ratio(ask, index, point, locked=locked)
+
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str
     ) -> tuple[tuple[float, ErrorRange | None], ...]:

@@ -167,6 +167,12 @@ class OutOfPlane(JointModel):
         """Return the planar model's."""
         return self.inner.parasitic_shift(ask)
 
+    def warm_support_ratio(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> Told:
+        """Return that of the inner model."""
+        return self.inner.warm_support_ratio(ask, index, point, locked=locked)
+
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str
     ) -> tuple[tuple[float, ErrorRange | None], ...]:

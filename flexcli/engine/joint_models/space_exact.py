@@ -17,7 +17,7 @@ from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
 from flexcli.engine.joint_models.space_deflection import deflections, warm_sag_ratio
-from flexcli.engine.joint_models.space_errors import StrokeErrors, strain_error, width_error
+from flexcli.engine.joint_models.space_errors import StrokeErrors, width_error
 from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
@@ -27,6 +27,8 @@ from flexcli.engine.joint_models.space_stroke import (
     at_travel,
     driven_coordinate,
     support_at_stroke,
+    warm_ratio,
+    warm_support_ratio,
 )
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
@@ -72,9 +74,6 @@ Floats = NDArray[np.float64]
 
 ROUGH = 0.02
 """By how much beams may bear too much that is not looked at further."""
-
-ROUNDING = 1e-6
-"""Error of a ratio of two states at the same nodes."""
 
 
 class SpaceExactModel(SpaceLinearModel):
@@ -123,13 +122,13 @@ class SpaceExactModel(SpaceLinearModel):
 
     def _warm_stiffness(self, ask: Ask) -> Told:
         """Return what the strain of a temperature makes of the stiffness along the motion [-]."""
-        return self._told.of("warm stiffness", ask, lambda: _changed(ask, _free_stiffness))
+        return self._told.of("warm stiffness", ask, lambda: warm_ratio(ask, _free_stiffness))
 
     def warm_frequency_ratio(self, ask: Ask, *, locked: bool) -> tuple[float, ErrorRange | None]:
         """Return what the strain of a temperature makes of a frequency [-]."""
         what = f"warm frequency, {'locked' if locked else 'free'}"
         number = _lowest if locked else _own_frequency
-        return self._told.of(what, ask, lambda: _changed(ask, number, 0.0 if locked else None))
+        return self._told.of(what, ask, lambda: warm_ratio(ask, number, 0.0 if locked else None))
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
         """Return what the drive holds at both ends of the stroke, the loads in their worst sense.
@@ -167,6 +166,12 @@ class SpaceExactModel(SpaceLinearModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the support stiffness at both ends of the stroke, the drive locked or free."""
         return support_at_stroke(ask, index, point, locked=locked, blades=self.blades)
+
+    def warm_support_ratio(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> Told:
+        """Return the ratio by exact beams in space."""
+        return warm_support_ratio(ask, index, point, locked=locked)
 
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str
@@ -543,21 +548,6 @@ def _warm_sag(ask: Ask) -> Told:
     """Return the sag at a temperature: unstrained, times what the strain makes of a small one."""
     ratio, error = warm_sag_ratio(ask)
     return sag(joint_of(ask, warm=False), ask.scene).times(ratio, error)
-
-
-def _changed(
-    ask: Ask, number: Callable[[SpaceEquilibrium], float], travel: float | None = None
-) -> Told:
-    """Return a number at the temperature over that of the same mechanism unstrained, its error.
-
-    What the strain changes is known as well as a support stiffness is by beams.
-    """
-    warm, cold = (at_travel(ask, travel, warm=each) for each in (True, False))
-    ratio, share = number(warm) / number(cold), strain_error(warm)
-    if share is None:
-        return Told(ratio, None)
-    off = max(share * abs(ratio - 1.0) / min(ratio, 1.0), ROUNDING)
-    return Told(ratio, ErrorRange(-off, off))
 
 
 def _free_stiffness(state: SpaceEquilibrium) -> float:

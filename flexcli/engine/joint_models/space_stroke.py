@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.joint_models.space_errors import StrokeErrors, beam_errors
+from flexcli.engine.joint_models.space_errors import StrokeErrors, beam_errors, strain_error
 from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along
 from flexcli.mechanics.refinement import LEVELS
@@ -18,7 +18,7 @@ from flexcli.mechanics.space.exact.members import MembersOf
 from flexcli.mechanics.space.exact.support import support_compliance
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import Ask, Told
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.results import ErrorRange
 
@@ -32,9 +32,14 @@ __all__ = [
     "driven_coordinate",
     "forget",
     "support_at_stroke",
+    "warm_ratio",
+    "warm_support_ratio",
 ]
 
 Floats = NDArray[np.float64]
+
+ROUNDING = 1e-6
+"""Error of a ratio of two states at the same nodes."""
 
 TOLERANCE = 1e-5
 """Of forces and motions: of its tangent, the last two levels of nodes tell."""
@@ -168,6 +173,47 @@ def support_at_stroke(
             error = ErrorRange(-change, change)
         found.append((value, error))
     return tuple(found)
+
+
+def warm_ratio(
+    ask: Ask, number: Callable[[SpaceEquilibrium], float], travel: float | None = None
+) -> Told:
+    """Return a number at the temperature over that of the same joint unstrained, by exact beams.
+
+    What strain changes is known to a share of itself; what nobody compared may be off by itself.
+    Without a travel the drive is free.
+
+    Raises
+    ------
+    NotAvailable, SolveError
+        When there is no stable equilibrium.
+
+    """
+    warm, cold = (at_travel(ask, travel, warm=each) for each in (True, False))
+    ratio, share = number(warm) / number(cold), strain_error(warm)
+    off = max((1.0 if share is None else share) * abs(ratio - 1.0) / ratio, ROUNDING)
+    return Told(ratio, ErrorRange(-off, off))
+
+
+def warm_support_ratio(
+    ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+) -> Told:
+    """Return what a temperature strains makes of a support stiffness at rest, by exact beams [-].
+
+    Raises
+    ------
+    NotAvailable
+        When what is asked for is held, or there is no stable equilibrium.
+
+    """
+
+    def stiffness(state: SpaceEquilibrium) -> float:
+        return _stiffness(ask, state, index, point, locked=locked)
+
+    try:
+        return warm_ratio(ask, stiffness, 0.0 if locked else None)
+    except SolveError as failed:
+        raise NotAvailable(f"has no equilibrium at its temperature: {failed}") from failed
 
 
 BEAMS = Blades("exact", beams_of, LEVELS, TOLERANCE, beam_errors, ((12, 18, 27, 40, 60), 1e-3))

@@ -316,6 +316,15 @@ class JointModel(ABC):
         """
         raise NotAvailable("has no support stiffness at stroke by this model: take --model exact")
 
+    def warm_support_ratio(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> Told:
+        """Return the ratio of a support stiffness at a case's temperature to the unstrained [-].
+
+        Both are at rest and of the same material; all else is as of :meth:`support_at_stroke`.
+        """
+        raise NotAvailable("has no support stiffness at a temperature: take --model exact")
+
     def parasitic_frequency_at_stroke(
         self, ask: Ask
     ) -> tuple[tuple[float, ErrorRange | None], ...]:

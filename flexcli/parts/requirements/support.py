@@ -5,6 +5,7 @@ They judge a given design; a 6×6 compliance is no posynomial, so they cannot si
 
 from abc import abstractmethod
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias, get_args
 
 import numpy as np
@@ -24,7 +25,7 @@ from flexcli.parts.base import (
     spec_error,
 )
 from flexcli.parts.elastic import Buckled, NotAvailable
-from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.ask import Ask, RequirementError, Told
 from flexcli.parts.requirements.base import Bound, BoundAtStroke, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
@@ -194,6 +195,7 @@ class Support(BoundAtStroke):
     by_solids: ClassVar[bool] = True
     by_shells: ClassVar[bool] = True
     closed_form: ClassVar[bool] = False
+    is_warmed: ClassVar[bool] = True
 
     direction: Direction
     """Direction of the force or moment, e.g. ``direction: z, min: 1 N/um``."""
@@ -274,15 +276,30 @@ class Support(BoundAtStroke):
             yield from self._limits_at_stroke(ask)
             return
         joint = space_joint(ask)
-        value = self._stiffness(ask, self.direction)(joint.assembly)
-        error = joint.error(self._stiffness(ask, self.direction))
+        value, error = self._at_rest(ask, joint, self.direction)
         if self.over is not None:
-            stiffness = self._stiffness(ask, self.over)
-            value /= stiffness(joint.assembly)
-            error = _of_ratio(error, joint.error(stiffness))
-        quantity = f"{self.spoken}, drive {self.drive}"
-        for limit in self._bounds(value, error, "", quantity, ask.joint_model.at_rest):
+            other = self._at_rest(ask, joint, self.over)
+            value, error = value / other.value, _of_ratio(error, other.error)
+        case, quantity = self.case_of(ask.scene), f"{self.spoken}, drive {self.drive}"
+        for limit in self._bounds(value, error, case, quantity, ask.joint_model.at_rest):
             yield limit._replace(is_directed=joint.is_directed)
+
+    def _at_rest(self, ask: Ask, joint: SpaceJoint, direction: Direction) -> Told:
+        """Return a stiffness at rest, with what a temperature strains makes of it."""
+        stiffness, locked = self._stiffness(ask, direction), self.drive == "locked"
+        found = Told(stiffness(joint.assembly), joint.error(stiffness))
+        if ask.scene.temperature is None:
+            return found
+        with suppress(NotAvailable):
+            index = DIRECTIONS.index(direction)
+            heat = ask.joint_model.warm_support_ratio(ask, index, self.point, locked=locked)
+            return found.times(heat.value, heat.error)
+        softer = changed_by_heat(joint_of(ask), locked=locked)
+        if softer is None:
+            return found.times(1.0, None)
+        return found.times(
+            1.0, ErrorRange(1.0 / (1.0 + softer.high) - 1.0, 1.0 / (1.0 + softer.low) - 1.0)
+        )
 
     def _limits_at_stroke(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness at both ends of the case's stroke."""
@@ -314,7 +331,7 @@ class Support(BoundAtStroke):
         name = f"{self.label} {self.direction}" + (f"/{self.over}" if self.over else "")
         name += spoken_place(self.point)
         locked = " locked" if self.drive == "locked" else ""
-        there = " at stroke" if case else ""
+        there = " at stroke" if self.at == "full-stroke" else ""
         for limit in self.model_copy(update=plain).bounds(
             value,
             case=case,
