@@ -32,7 +32,8 @@ class StripConstants(NamedTuple):
     is the shear modulus of its broad faces, plane 13, ``G_thin`` that of its narrow sides, plane
     12 [Pa]. ``twists`` and ``skews`` are by how much pulling it along or across its width shears
     the one and the other, ``S_15²/(S_11 S_55)`` and its like, and ``thins`` by how much it thins as
-    it is pulled, ``S_12²/(S_11 S_22)`` [-].
+    it is pulled, ``S_12²/(S_11 S_22)`` [-]. Where its ends are kept from twisting it is bent as
+    much as ``held`` more hardly, and then sheared by ``sheared_held`` of the stress along it [-].
     """
 
     E: float
@@ -44,6 +45,8 @@ class StripConstants(NamedTuple):
     twists: float
     skews: float
     thins: float
+    held: float
+    sheared_held: float
 
     @property
     def nu(self) -> float:
@@ -115,7 +118,9 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
     Notes
     -----
     What couples bending with twist along axes that are none of symmetry (S_15 and its like) is in
-    none of the others.
+    none of the others but ``held``: the larger of ``1/(1 − S_15²/(S_11 S_55)) − 1``, of a narrow
+    strip that is kept from twisting, and of a wide one that is kept from curling too, over what a
+    plate of ν_13 ν_31 has of it. A strip that may twist is as soft as its E says.
 
     Examples
     --------
@@ -134,6 +139,10 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
     S = np.linalg.inv(turned_stiffness(C, axes))
     E, E_width = 1.0 / S[0, 0], 1.0 / S[2, 2]
     twists, skews = (max(float(S[i, k] ** 2 / (S[i, i] * S[k, k])) for i in (0, 2)) for k in (4, 5))
+    plane = np.array([0, 2, 4])
+    wide = np.linalg.inv(S[plane[:, None], plane])[0, 0] * S[0, 0]
+    plate = 1.0 / (1.0 - S[0, 2] ** 2 / (S[0, 0] * S[2, 2]))
+    own = float(S[0, 4] ** 2 / (S[0, 0] * S[4, 4]))
     return StripConstants(
         E=float(E),
         E_width=float(E_width),
@@ -144,6 +153,8 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
         twists=twists,
         skews=skews,
         thins=float(S[0, 1] ** 2 / (S[0, 0] * S[1, 1])),
+        held=max(1.0 / (1.0 - own), float(wide / plate)) - 1.0,
+        sheared_held=float(abs(S[0, 4] / S[4, 4])),
     )
 
 

@@ -143,7 +143,8 @@ class Blades(NamedTuple):
     ``E`` [Pa] and ``nu`` stand for all; ``spread`` is the relative error of a stiffness with them,
     ``sheared`` the further one of torsion and shear, ``uneven`` whether blades differ.
     ``thick`` are further errors over (h/l)² and over h/l; ``skewed`` is by how much a shear stress
-    stretches a blade, over what as much along it does.
+    stretches a blade, over what as much along it does. Where clamps keep blades from twisting they
+    are as much as ``held`` stiffer, and their stress is as much as ``stressed`` higher [-].
     """
 
     E: float
@@ -153,6 +154,8 @@ class Blades(NamedTuple):
     uneven: bool
     thick: tuple[float, float]
     skewed: float
+    held: float
+    stressed: float
 
 
 def blades_of(
@@ -177,7 +180,11 @@ def blades_of(
     squares, firsts = zip(*map(sheared_in_plane, each), strict=True)
     thick = max(squares), max(firsts)
     skewed = max(sqrt(strip.skews * strip.E / strip.G_thin) for strip in each)
-    return Blades(E, first.nu, uneven + rough, sheared, uneven > ALIKE, thick, skewed)
+    held = max(s.held for s in each)
+    stressed = max((1.0 + s.held) * sqrt(1.0 + 3.0 * s.sheared_held**2) for s in each) - 1.0
+    return Blades(
+        E, first.nu, uneven + rough, sheared, uneven > ALIKE, thick, skewed, held, stressed
+    )
 
 
 def strip_of(

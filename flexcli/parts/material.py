@@ -12,7 +12,7 @@ from flexcli.formulas.fatigue import (
     fully_reversed_amplitude,
     swt_reversed_amplitude,
 )
-from flexcli.numerics.rows import Number, number
+from flexcli.numerics.rows import Number, larger, number
 from flexcli.parts.base import (
     Density,
     Expansion,
@@ -154,6 +154,8 @@ class Material(Part):
     _stiffer: float = PrivateAttr(1.0)
     _is_uneven: bool = PrivateAttr(False)
     _skewed: float = PrivateAttr(0.0)
+    _held: float = PrivateAttr(0.0)
+    _stressed: float = PrivateAttr(0.0)
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -258,6 +260,7 @@ class Material(Part):
         found._rough = blades.spread
         found._is_uneven = blades.uneven
         found._thick, found._skewed = blades.thick, blades.skewed
+        found._held, found._stressed = blades.held, blades.stressed
         return found
 
     @property
@@ -319,14 +322,29 @@ class Material(Part):
         A crystal's shear modulus is not that of its Young's modulus and Poisson's ratio, which
         matters for torsion and shear, for all numbers ``in_space``; where ``is_directed``, number
         and error include the direction. Blades that differ change a shift by an unknown amount.
-        ``thick`` is what :meth:`off_as_thick` tells.
+        Those that would twist as they bend, which their clamps may keep them from, are from as soft
+        as their moduli say to as stiff as if they were held. ``thick`` is what
+        :meth:`off_as_thick` tells.
         """
         if self.is_uneven and kind is QuantityKind.SHIFT:
             return None
         off = thick + (self._spread - self._rough if is_directed else self._spread)
         if not is_directed and (in_space or kind in OUT_OF_PLANE):
             off += self._sheared
-        return error + ErrorRange(-off, off) + self._drifted(kind)
+        found = error + ErrorRange(-off, off) + self._twisting(kind) + self._drifted(kind)
+        return found._replace(low=larger(found.low, -1.0)) if self._held else found
+
+    def _twisting(self, kind: QuantityKind | None) -> ErrorRange:
+        """Return the error of a number by blades that may be kept from twisting as they bend."""
+        match kind:
+            case QuantityKind.STIFFNESS | QuantityKind.BUCKLING:
+                return ErrorRange(0.0, self._held)
+            case QuantityKind.FREQUENCY:
+                return ErrorRange(0.0, sqrt(1.0 + self._held) - 1.0)
+            case QuantityKind.STRESS:
+                return ErrorRange(0.0, self._stressed)
+            case _:  # motions are less, or their parts more
+                return ErrorRange(-self._held / (1.0 + self._held), self._held)
 
     def _drifted(self, kind: QuantityKind | None) -> ErrorRange:
         """Return the error of a number by a Young's modulus that is not given at a temperature."""

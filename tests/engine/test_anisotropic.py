@@ -168,3 +168,56 @@ def test_support_at_stroke_is_told_as_closely_as_beams_and_the_direction_allow()
     low, high = found.checks[0].factor_range
     # 57 % either way if the shear modulus were that of E and ν
     assert 1.08 < high / low < 1.2
+
+
+ASKEW = ("{{orthotropic: {{E_1: 140 GPa, E_2: 10 GPa, G_12: 5 GPa, nu_12: 0.3}}, "
+         "orientation: {{turned: {turned} deg, width: in-plane}}}}")  # fmt: skip
+SHEETS = [
+    ("leaf-spring-stage", 30, "2 mm", 104.29),
+    ("leaf-spring-stage", 30, "20 mm", 2609.7),
+    ("cantilever", 30, "20 mm", 249.77),
+    ("cantilever", 15, "6 mm", 109.97),
+]
+"""Joint, angle, width and stiffness [N/m] by CalculiX (C3D20R) of l = 20 mm, h = 0.2 mm."""
+
+
+def stiffness_range(result):
+    """Return the range of a stiffness against a bound of one."""
+    return next(row.factor_range for row in result.checks if row.name.startswith("stiffness"))
+
+
+@pytest.mark.parametrize(("kind", "turned", "b", "solid"), SHEETS)
+def test_sheets_that_their_clamps_keep_from_twisting_are_as_stiff_as_solids(kind, turned, b, solid):
+    more = ", blades: 2, spacing: 10 mm" if kind == "leaf-spring-stage" else ""
+    geometry = f"{{kind: {kind}, h: 0.2 mm, l: 20 mm, b: {b}{more}}}"
+    low, high = stiffness_range(check(ASKEW.format(turned=turned), geometry))
+    assert low <= solid <= high
+
+
+def test_a_stage_of_an_askew_sheet_is_no_pass_by_the_stress_of_one_that_may_twist():
+    geometry = "{kind: leaf-spring-stage, h: 0.2 mm, l: 20 mm, b: 20 mm, blades: 2, spacing: 1 cm}"
+    strong = ASKEW.format(turned=30).replace("}}", "}, yield_strength: 100 MPa}")
+    (row,) = check(strong, geometry, "translation: 0.5 mm", "yield: 1.5").checks
+    # a stage of free strips would have three times the strength it needs
+    assert row.factor > 4.0
+    assert row.verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    ("b", "half_angle", "stiffness"),
+    [
+        (8e-3, 30.0, 2.5029),
+        (38e-3, 30.0, 12.128),
+        (26.29195572295465e-3, 71.97226299148252, 8.2404),
+    ],
+)
+def test_blades_of_a_111_wafer_are_as_stiff_as_those_of_solids(b, half_angle, stiffness):
+    """By CalculiX (C3D20R): they twist as they bend, which clamps keep them from."""
+    geometry = (f"{{kind: rcc, h: 142.06782990365286 um, l: 19.179105293635843 mm, b: {b} m, "
+                f"p: 37.01340 mm, half_angle: {half_angle} deg}}")  # fmt: skip
+    silicon = (
+        '{crystal: {c11: 165.7 GPa, c12: 63.9 GPa, c44: 79.6 GPa}, orientation: {wafer: "111"}}'
+    )
+    asked = "stiffness: {min: 1 N*m/rad}"
+    low, high = stiffness_range(check(silicon, geometry, "rotation: 1 mrad", asked))
+    assert low <= stiffness <= high < 1.05 * low

@@ -87,6 +87,22 @@ def test_an_orthotropic_sheet_has_its_own_constants_back_and_those_of_its_angle(
     c, s = np.cos(0.5), np.sin(0.5)
     inverse = c**4 / E_1 + s**4 / E_2 + (1.0 / G - 2.0 * nu / E_1) * c**2 * s**2
     assert pytest.approx(1.0 / inverse) == at(0.5).E
+    # along its axes it does not twist as it bends; askew and wide it is as stiff as Q̄_11 says
+    assert max(at(0.0).held, at(np.pi / 2.0).held) == pytest.approx(0.0, abs=1e-12)
+    shared = 1.0 - nu**2 * E_2 / E_1
+    stiff = (c**4 * E_1 + s**4 * E_2 + 2.0 * c**2 * s**2 * nu * E_2) / shared
+    stiff += 4.0 * c**2 * s**2 * G
+    own = at(0.5)
+    plate = own.E / (1.0 - own.nu_width * own.nu_length)
+    assert 1.0 + own.held == pytest.approx(max(stiff / plate, 1.0 / (1.0 - twist(own, 0.5))))
+
+
+def twist(strip, angle):
+    """S̄_16²/(S̄_11 S̄_66) of a sheet of E_1, E_2, G, ν_12 of the test above."""
+    c, s = np.cos(angle), np.sin(angle)
+    S_11, S_22, S_12, S_66 = 1.0 / 140e9, 1.0 / 10e9, -0.3 / 140e9, 1.0 / 5e9
+    S_16 = (2.0 * S_11 - 2.0 * S_12 - S_66) * s * c**3 - (2.0 * S_22 - 2.0 * S_12 - S_66) * s**3 * c
+    return S_16**2 * strip.E * strip.G_wide
 
 
 def test_an_isotropic_plate_is_none_of_them():
