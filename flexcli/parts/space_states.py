@@ -5,7 +5,7 @@ small motion is told by its second order; where that is not small beside the fir
 unknown.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from math import inf, isfinite
 from typing import NamedTuple
@@ -51,9 +51,10 @@ __all__ = [
     "StrokeEnd",
     "acting_groups",
     "bent_by_gradient",
+    "beside_wrench",
     "beyond_first_order",
     "beyond_linear_sag",
-    "changed_by_heat",
+    "changed_beside",
     "hinge_stress_error",
     "hull",
     "largest_stress",
@@ -62,6 +63,7 @@ __all__ = [
     "motions",
     "sag",
     "senses",
+    "senses_beside",
     "spring_change",
     "state_error",
     "stiffened_by",
@@ -108,6 +110,9 @@ buckles."""
 LATER = 1.05
 """How much larger the orders beyond the first may be than if each were as much of the one before as
 the second is of the first: exact beams of three blades under a force across them had 1.01."""
+
+ROUNDING = 1e-9
+"""Share of a wrench by which a load beside it is none."""
 
 UNSTRESSED = 1e-10
 """Stress over that of blades whose bodies were held, below which a missed seat leaves rounding:
@@ -234,12 +239,31 @@ def left_by_temperature(ask: Ask) -> tuple[float, ...]:
     return tuple(found.tolist())
 
 
-def changed_by_heat(joint: SpaceJoint, *, locked: bool = False) -> ErrorRange | None:
-    """Return by what share of itself what a temperature strains changes a compliance at most.
+def beside_wrench(ask: Ask) -> list[Acting]:
+    """Return what acts on a joint beside the wrench of a case: its load, and accelerations."""
+    joint, scene = joint_of(ask), ask.scene
+    along = motion_along(axes_about_z(ask.geometry.axes))
+    wrench = along.T @ np.array(scene.wrench or np.zeros(6))
+    rest = np.array(scene.stated) - wrench
+    stated = np.where(np.abs(rest) > ROUNDING * np.abs(wrench).max(initial=0.0), rest, 0.0)
+    return acting_groups(joint, scene._replace(stated=tuple(stated.tolist())))
 
-    Its forces make any stiffness of straight blades and bodies as much less as the share that they
-    are of those which turn them aside, and as much more as they are of these reversed: the largest
-    changes of the stiffness of bodies that move anywhere. The drive is ``locked`` or free.
+
+def senses_beside(scene: Scene, groups: Sequence[Acting]) -> Iterator[tuple[float, ...]]:
+    """Yield the senses in which groups of loads act at once: a directed load in its own alone."""
+    own = ((1.0,) if scene.directed and not g.acceleration.any() else (1.0, -1.0) for g in groups)
+    return product(*own)
+
+
+def changed_beside(
+    joint: SpaceJoint, scene: Scene, beside: Sequence[Acting] = (), *, locked: bool = False
+) -> ErrorRange | None:
+    """Return by what share of itself what strains a joint changes a compliance at most.
+
+    That is a temperature, and loads ``beside`` those that are asked about. Their forces make any
+    stiffness of straight blades and bodies as much less as the share that they are of those which
+    turn them aside, and as much more as they are of these reversed: the largest changes of the
+    stiffness of bodies that move anywhere. The drive is ``locked`` or free.
 
     Returns
     -------
@@ -247,13 +271,15 @@ def changed_by_heat(joint: SpaceJoint, *, locked: bool = False) -> ErrorRange | 
         Nothing where it is not small.
 
     """
-    if not joint.layout.grows:
+    heat = [warmed(joint.assembly, locked=locked)] if joint.layout.grows else []
+    states = [action(joint.assembly, each) for each in beside]
+    if not (heat or states):
         return EXACT
-    heat = warmed(joint.assembly, locked=locked)
-    times = 1.0 if joint.is_uniform else UNEVEN
-    softer, stiffer = (
-        times * combined([heat], [sense]).following().buckling for sense in (1.0, -1.0)
-    )
+    times, softer, stiffer = 1.0 if joint.is_uniform else UNEVEN, 0.0, 0.0
+    for signs in senses_beside(scene, beside):
+        both = combined([*heat, *states], [*(1.0 for _ in heat), *signs])
+        softer = max(softer, times * both.following().buckling)
+        stiffer = max(stiffer, times * combined([both], [-1.0]).following().buckling)
     if max(softer, stiffer) > KNOWN:
         return None
     return ErrorRange(1.0 / (1.0 + stiffer) - 1.0, 1.0 / (1.0 - softer) - 1.0)
@@ -262,8 +288,9 @@ def changed_by_heat(joint: SpaceJoint, *, locked: bool = False) -> ErrorRange | 
 def sag(joint: SpaceJoint, scene: Scene) -> Told:
     """Return the sag of the moving body's point along a steady acceleration [m].
 
-    What a temperature strains is in its error.
+    What a temperature and stated loads strain is in its error.
     """
+    beside = acting_groups(joint, scene._replace(inertial=(), accelerations=()))
     body = joint.layout.body(joint.layout.drive.body)
     along = np.array([float(axis == scene.axis) for axis in "xyz"])
     acting = Acting(0.0, np.zeros(6), body.point, scene.acceleration * along)
@@ -277,7 +304,10 @@ def sag(joint: SpaceJoint, scene: Scene) -> Told:
     if more > KNOWN:
         return Told(found, None)
     answer = joint.assembly.moved(row[:, None]).deformations[:, 0]
-    error, heat = joint.form(answer, state.moved.deformations[:, 0]).error, changed_by_heat(joint)
+    error, heat = (
+        joint.form(answer, state.moved.deformations[:, 0]).error,
+        changed_beside(joint, scene, beside),
+    )
     if error is None or heat is None:
         return Told(found, None)
     return Told(found, error + heat + ErrorRange(-more, more))

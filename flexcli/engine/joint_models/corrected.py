@@ -284,22 +284,31 @@ class Corrected(JointModel):
             self._left(ask, kind, found, self.inner.sag_carries(ask)),
             beyond_linear_sag(ask),
         )
-        heat = self._heat_in_sag(ask)
+        heat = self._beside_sag(ask)
         if left is None or more is None or heat is None:
             return None
         return left + heat + ErrorRange(-more, more)
 
-    def _heat_in_sag(self, ask: Ask) -> ErrorRange | None:
-        """Return the error of a sag by what a temperature strains, which stiffness has along it."""
-        if ask.scene.temperature is None or ask.geometry.sags_along_stroke(ask.scene.axis):
+    def _beside_sag(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of a sag by what strains the joint besides.
+
+        Stiffness along the stroke has that of a temperature.
+        """
+        scene = ask.scene
+        has_heat = scene.temperature is not None
+        if has_heat and ask.geometry.sags_along_stroke(scene.axis):
+            scene, has_heat = scene.at_assembly()._replace(stated=scene.stated), False
+        if not (has_heat or any(scene.stated)):
             return EXACT
         with suppress(NotAvailable):
             return self.inner.heat_in_sag(ask)
         from flexcli.parts.space_joint import joint_of
-        from flexcli.parts.space_states import changed_by_heat
+        from flexcli.parts.space_states import acting_groups, changed_beside
 
         try:
-            return changed_by_heat(joint_of(ask))
+            joint = joint_of(ask._replace(scene=scene))
+            stated = acting_groups(joint, scene._replace(inertial=(), accelerations=()))
+            return changed_beside(joint, scene, stated)
         except NotAvailable:  # no shear modulus, or no blades
             return None
 

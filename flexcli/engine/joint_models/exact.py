@@ -210,6 +210,8 @@ class ExactModel(JointModel):
 
     def _warm_sag(self, ask: Ask) -> Told:
         """Return what a temperature strains makes of a sag off the stroke [-]."""
+        if any(ask.scene.stated):
+            raise NotAvailable("has no sag beside stated loads")
         if ask.scene.temperature is None:
             return Told(1.0, EXACT)
         from flexcli.engine.joint_models.space_deflection import warm_sag_ratio

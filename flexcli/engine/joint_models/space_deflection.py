@@ -1,6 +1,6 @@
 """How far loads move a joint in space: exact beams under them, and tangents at a stroke."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from math import inf
 from typing import NamedTuple
@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.space_errors import strain_error
 from flexcli.engine.joint_models.space_stroke import (
     BEAMS,
@@ -32,7 +33,7 @@ from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.requirements import Ask, Told
 from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of, deflection_form
 from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
-from flexcli.parts.space_states import acting_groups
+from flexcli.parts.space_states import acting_groups, beside_wrench, senses_beside
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -160,10 +161,10 @@ def deflections(
     To the deflection of the joint at rest by its best springs, what the size of the wrench changes
     and what the stroke changes are added, both by exact beams; each is known to a share of itself.
     At a stroke the tangent there, by beams and by shells, is as sure as a support stiffness is;
-    what is surest counts. A temperature changes it as a stroke does, and loads find the joint as
-    it leaves it. Where the model has ``springs`` of its own, the deflection at rest is by
-    these, and what is changed by beams as far as they are like them. No load in the plane of a
-    joint that is its own mirror image there moves it out of it.
+    what is surest counts. A temperature and other loads of the case change it as a stroke does, and
+    the wrench finds the joint as they leave it. Where the model has ``springs`` of its own, the
+    deflection at rest is by these, and what is changed by beams as far as they are like them. No
+    load in the plane of a joint that is its own mirror image there moves it out of it.
 
     Raises
     ------
@@ -176,60 +177,115 @@ def deflections(
     scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
     assert scene.wrench is not None  # of a case that has one
     load, sought = np.array(scene.wrench), motion_at(point)[DIRECTIONS.index(direction)]
-    if joint.is_mirrored and not (np.any(load[OUT]) or np.any(sought[IN])):
+    beside = beside_wrench(ask)
+    mirrored = joint.is_mirrored and not any(
+        np.any(each.wrench[OUT]) or each.acceleration[2] for each in beside
+    )
+    if mirrored and not (np.any(load[OUT]) or np.any(sought[IN])):
         return ((0.0, ErrorRange(0.0, 0.0)),)
+    assembly = joint_of(ask).assembly
     centre = joint.layout.body(joint.layout.drive.body).point
-    state = action(joint.assembly, Acting(0.0, along_cases(ask).T @ load, centre, np.zeros(3)))
-    try:
-        at_rest = at_travel(ask, 0.0, warm=False)
-        rest = still = compliance_along_cases(ask, at_rest, CENTRE, locked=False)
-        ends: Iterable[float | None] = dict.fromkeys(scene.stroke_ends) if scene.moves else (0.0,)
-        if scene.temperature is not None:
-            left = at_travel(ask, None)
-            still = compliance_along_cases(ask, left, CENTRE, locked=False)
-            ends = ends if scene.moves else (None,)
-        there = [_tangents(ask, travel, blades) for travel in ends]
-    except SolveError as failed:
-        raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
+    state = action(assembly, Acting(0.0, along_cases(ask).T @ load, centre, np.zeros(3)))
     form = deflection_form(ask, sought, load)
-    asked = _Asked(ask, joint, sought, load, (rest, still), form, springs)
     found = []
-    for sign, moved in _either_way(ask, state, sought):
-        acting = combined([state], [sign])
-        own = moved - sign * float(sought @ still @ load)
-        for tangents in there:
-            told = [asked.from_rest(sign, own, tangents[0])]
-            told += [
-                asked.by_tangent(sign, own, tangent, acting.loads)
-                for tangent in tangents
-                if tangent.travel != 0.0
-            ]
-            found.append(min(told, key=lambda each: each.high - each.low).with_error)
+    for signs in senses_beside(scene, beside):
+        strained = _Strained.by(ask, beside, signs)
+        try:
+            at_rest = at_travel(ask, 0.0, warm=False)
+            rest = still = compliance_along_cases(ask, at_rest, CENTRE, locked=False)
+            ends: Iterable[float | None] = dict.fromkeys(scene.stroke_ends)
+            if strained.states:
+                still = compliance_along_cases(ask, strained.at(None), CENTRE, locked=False)
+            if not scene.moves:
+                ends = (None if strained.states else 0.0,)
+            there = [_tangents(strained, travel, blades) for travel in ends]
+        except SolveError as failed:
+            raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
+        asked = _Asked(strained, (sought, load), (rest, still), form, springs, mirrored=mirrored)
+        for sign, moved in _either_way(strained, state, sought):
+            acting = combined([state], [sign])
+            own = moved - sign * float(sought @ still @ load)
+            for tangents in there:
+                told = [asked.from_rest(sign, own, tangents[0])]
+                told += [
+                    asked.by_tangent(sign, own, tangent, acting.loads)
+                    for tangent in tangents
+                    if tangent.travel != 0.0
+                ]
+                found.append(min(told, key=lambda each: each.high - each.low).with_error)
     return tuple(found)
+
+
+class _Strained(NamedTuple):
+    """A joint as what acts beside a case's wrench leaves it: a temperature, and loads in a sense.
+
+    ``states`` are these as linear ones.
+    """
+
+    ask: Ask
+    loads: Loads
+    states: tuple[SpaceState, ...]
+
+    @classmethod
+    def by(cls, ask: Ask, beside: Sequence[Acting], signs: Sequence[float]) -> "_Strained":
+        """Return it under loads in their senses."""
+        joint = joint_of(ask)
+        groups = [loads_of(joint, each) for each in beside]
+        heat = [warmed(joint.assembly, locked=False)] if joint.layout.grows else []
+        states = [
+            combined([action(joint.assembly, g)], [s]) for g, s in zip(beside, signs, strict=True)
+        ]
+        return cls(ask, tuple(signed(groups, signs)), (*heat, *states))
+
+    def at(
+        self, travel: float | None, blades: Blades | None = None, *, more: Loads = ()
+    ) -> SpaceEquilibrium:
+        """Return it at a travel, under more loads; a stroke is from where its own leave it."""
+        if self.loads and travel is not None:
+            own = driven_coordinate(joint_of(self.ask).layout)
+            under, free = (at_travel(self.ask, None, loads=each) for each in (self.loads, ()))
+            travel += float((under.coordinates - free.coordinates).ravel()[own])
+        return at_travel(self.ask, travel, blades, loads=(*more, *self.loads))
+
+    def error(self) -> float:
+        """Return by what share of itself beams may be off in what strains it changes.
+
+        What a temperature does that nobody compared may be off by itself.
+        """
+        of_heat = of_loads = 0.0
+        if self.ask.scene.temperature is not None:
+            found = strain_error(self.at(None))
+            of_heat = 1.0 if found is None else found
+        if self.loads:
+            of_loads = max(load_error(self.ask), unsure_springs(joint_of(self.ask)))
+        return max(of_heat, of_loads)
 
 
 class _Asked:
     """A motion under a load that is asked for, and what is known of it at rest.
 
-    ``rests`` are the compliances by beams unstrained, and as the temperature leaves them.
+    ``pair`` is the row of what is sought, and the load; ``rests`` are the compliances by beams
+    unstrained, and as what acts besides leaves them.
     """
 
     def __init__(
         self,
-        ask: Ask,
-        joint: SpaceJoint,
-        sought: Floats,
-        load: Floats,
+        strained: _Strained,
+        pair: tuple[Floats, Floats],
         rests: tuple[Floats, Floats],
         form: Form,
         springs: Springs | None,
+        *,
+        mirrored: bool,
     ) -> None:
-        self.ask, self.sought, self.load, self.form = ask, sought, load, form
+        (sought, load), ask = pair, strained.ask
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        self.strained, self.sought, self.load, self.form = strained, sought, load, form
         self.rest, self.still = rests
         self.turns = joint.layout.drive.turns
         # a stroke in the plane leaves what acts in it and across it apart
         self.kept = np.arange(6)
-        if joint.is_mirrored and not (np.any(load[IN]) and np.any(load[OUT])):
+        if mirrored and not (np.any(load[IN]) and np.any(load[OUT])):
             self.kept = np.array(IN if np.any(sought[IN]) else OUT)
         # what varies in thickness is no surer than its springs
         self.unsure, self.springs = (
@@ -238,7 +294,7 @@ class _Asked:
         )
         self.beams = max(load_error(ask), self.unsure)
         self.beams += _largest_share(compliance_of(ask) - self.rest, self.rest)
-        self.of_heat = _heat_error(ask)
+        self.of_strain = strained.error()
 
     def from_rest(self, sign: float, own: float, end: _Tangent) -> _Told:
         """Return it by what the stroke and the size of the load, ``own``, change at rest."""
@@ -255,7 +311,7 @@ class _Asked:
         off = self._grown(own, work)
         if self.springs is None:
             # what is off of a stiffness by as much is more of a compliance that it raises
-            of_change = max(STROKE_ERROR, self.of_heat * (1.0 + share))
+            of_change = max(STROKE_ERROR, self.of_strain * (1.0 + share))
             off += of_change * used + max(ASTRAY, self.unsure) * share * work
         elif end.travel != 0.0:
             off += self.springs.off(used, work)
@@ -280,7 +336,7 @@ class _Asked:
         turned = self.turns and bool(self.sought[3:].any())
         if end.travel is not None and doubt > ROUNDING * work and not turned:
             with suppress(NotAvailable, SolveError):
-                moved = _moved_at(self.ask, end.travel, loads, self.sought)
+                moved = _moved_at(self.strained, end.travel, loads, self.sought)
                 own, doubt = moved - sign * float(self.sought @ end.beams @ self.load), 0.0
         off = (end.off + level) * work + self._grown(own, work) + doubt
         return _Told(sign * float(both) + own, -off, off)
@@ -309,15 +365,16 @@ def sag_changes(ask: Ask) -> Iterator[tuple[float, float]]:
 
     """
     scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
-    if scene.temperature is not None:
-        raise NotAvailable("has no sag by exact beams beside a temperature")
+    if scene.temperature is not None or any(scene.stated):
+        raise NotAvailable("has no sag by exact beams beside a temperature or stated loads")
+    strained = _Strained(ask, (), ())
     sought = np.eye(6)["xyz".index(scene.axis)]
     groups = acting_groups(joint, scene._replace(stated=(0.0,) * 6))
     state = combined([action(joint.assembly, each) for each in groups], [1.0] * len(groups))
-    either = dict(_either_way(ask, state, sought))
+    either = dict(_either_way(strained, state, sought))
     try:
         rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
-        small = _moved(ask, combined([state], [SMALL]), sought) / SMALL
+        small = _moved(strained, combined([state], [SMALL]).loads, sought) / SMALL
     except SolveError as failed:
         raise NotAvailable(f"has no sag by exact beams: {failed}") from failed
     beams = max(load_error(ask), unsure_springs(joint)) + _largest_share(
@@ -353,7 +410,7 @@ def warm_sag_ratio(ask: Ask) -> Told:
     except SolveError as failed:
         raise NotAvailable(f"has no sag by exact beams: {failed}") from failed
     ratio = (warm - left) / cold
-    off = _heat_error(ask) * abs(ratio - 1.0) + SOLVED
+    off = _Strained.by(ask, (), ()).error() * abs(ratio - 1.0) + SOLVED
     return Told(ratio, ErrorRange(-off, off))
 
 
@@ -386,104 +443,85 @@ def _is_very_wide(blade: SpaceBlade | SpaceRod) -> bool:
     return blade.b > WIDE * l
 
 
-def _tangents(ask: Ask, travel: float | None, blades: Blades) -> list[_Tangent]:
+def _tangents(strained: _Strained, travel: float | None, blades: Blades) -> list[_Tangent]:
     """Return the compliances at a travel by beams, and by what is finer where that takes them.
 
     Narrow blades are beams rather than thin shells.
     """
-    found = [_tangent(ask, travel, BEAMS)]
+    found = [_tangent(strained, travel, BEAMS)]
     if blades is not BEAMS and travel != 0.0:
         with suppress(NotAvailable, SolveError):  # shells may not take them
-            found.append(_tangent(ask, travel, blades))
+            found.append(_tangent(strained, travel, blades))
     return found
 
 
-def _heat_error(ask: Ask) -> float:
-    """Return by what share of itself beams may be off in what a temperature strains.
-
-    Where nobody compared it may be off by itself.
-    """
-    if ask.scene.temperature is None:
-        return 0.0
-    found = strain_error(at_travel(ask, None))
-    return 1.0 if found is None else found
-
-
-def _tangent(ask: Ask, travel: float | None, blades: Blades) -> _Tangent:
+def _tangent(strained: _Strained, travel: float | None, blades: Blades) -> _Tangent:
     """Return the compliances at a travel, by beams and by the blades that are given."""
+    ask = strained.ask
 
     def compliance(state: SpaceEquilibrium) -> Floats:
         return compliance_along_cases(ask, state, CENTRE, locked=False)
 
-    beams, state = compliance(at_travel(ask, travel)), at_travel(ask, travel, blades)
+    beams, state = compliance(strained.at(travel)), strained.at(travel, blades)
     known = blades.errors(state)
     if known is None or state.coarser is None or known.support >= 1.0:
         return _Tangent(travel, beams, beams, beams, None)
     off = (1.0 + ask.clamp_softening) / (1.0 - known.support) - 1.0
-    if ask.scene.temperature is not None:
-        cold = compliance_along_cases(ask, at_travel(ask, 0.0, warm=False), CENTRE, locked=False)
-        off += _heat_error(ask) * _largest_share(beams - cold, cold)
+    if strained.states:
+        cold = compliance(at_travel(ask, 0.0, warm=False))
+        off += strained.error() * _largest_share(beams - cold, cold)
     return _Tangent(travel, beams, compliance(state), compliance(state.coarser), off)
 
 
-def _either_way(ask: Ask, state: SpaceState, sought: Floats) -> Iterator[tuple[float, float]]:
-    """Yield either sense of loads, and how far they move what is sought from rest [m or rad].
+def _either_way(
+    strained: _Strained, state: SpaceState, sought: Floats
+) -> Iterator[tuple[float, float]]:
+    """Yield either sense of loads, and how far they move what is sought [m or rad].
 
-    The sense that is nearer to buckling the joint comes first, for it may be all that counts.
+    That is from where what acts besides leaves the joint. The sense that is nearer to buckling it
+    comes first, for it may be all that counts.
     """
-    heat, rest = [], 0.0
-    if ask.scene.temperature is not None:
-        heat, rest = [warmed(joint_of(ask).assembly, locked=False)], _left(ask, sought)
-        state = SpaceState(
-            heat[0].assembly, state.moved, state.weights, state.loads, locked=state.locked
-        )
+    ask, besides = strained.ask, strained.states
+    rest = _moved(strained, (), sought) if besides else 0.0
     after = {
-        sign: combined([state, *heat], [sign, *(1.0 for _ in heat)]).following()
+        sign: combined([state, *besides], [sign, *(1.0 for _ in besides)]).following()
         for sign in (1.0, -1.0)
     }
     more = BEYOND * (1.0 + unsure_springs(joint_in_space(ask.geometry, ask.material, ask.sizes)))
     for sign in sorted(after, key=lambda each: -after[each].buckling):
         acting, second = combined([state], [sign]), after[sign]
-        if second.buckling > FAR and not heat:
+        if second.buckling > FAR and not besides:
             _prove_buckled(ask, acting, second)
         if second.rotation > TURNED:
             raise NotAvailable("has no deflection that is told: its blades turn too far")
         try:
-            moved = _moved(ask, acting, sought) - rest
+            moved = _moved(strained, acting.loads, sought) - rest
             if second.buckling > 0.0 and second.buckling * more > NEAR:
                 # what a little more of it buckles may be buckled
                 if more == inf:
                     raise NotAvailable("nobody knows how near its blades are to buckling")
-                _moved(ask, combined([acting], [more]), sought)
+                all_of_it = tuple(load.times(more) for load in strained.loads)
+                pushed = tuple(load.times(more) for load in acting.loads)
+                _moved(strained._replace(loads=all_of_it), pushed, sought)
         except (NotAvailable, SolveError) as failed:
-            if not heat:
+            if not besides:
                 _prove_buckled(ask, acting, second)
             raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
         yield sign, moved
 
 
-def _left(ask: Ask, sought: Floats) -> float:
-    """Return how far a temperature alone moves what is sought, the drive free [m or rad]."""
-    try:
-        state = at_travel(ask._replace(near=None), None)
-    except SolveError as failed:
-        raise NotAvailable(f"has no equilibrium at its temperature: {failed}") from failed
+def _moved(strained: _Strained, loads: Loads, sought: Floats) -> float:
+    """Return how far loads and all besides move what is sought, the drive free [m or rad]."""
+    ask = strained.ask._replace(near=None)
+    state = strained._replace(ask=ask).at(None, more=loads)
     body = state.layout.body(state.layout.drive.body)
     return float(sought @ along_cases(ask) @ state.motion_of(body.name, body.point))
 
 
-def _moved(ask: Ask, acting: SpaceState, sought: Floats) -> float:
-    """Return how far loads move what is sought from rest, the drive free [m or rad]."""
-    along, layout = along_cases(ask), acting.assembly.layout
-    body = layout.body(layout.drive.body)
-    state = at_travel(ask._replace(near=None), None, loads=acting.loads)
-    return float(sought @ along @ state.motion_of(body.name, body.point))
-
-
-def _moved_at(ask: Ask, travel: float, loads: Loads, sought: Floats) -> float:
+def _moved_at(strained: _Strained, travel: float, loads: Loads, sought: Floats) -> float:
     """Return how far loads move what is sought from a travel, what drives it there held."""
-    along, ask = along_cases(ask), ask._replace(near=None)
-    held = at_travel(ask, travel)
+    strained = strained._replace(ask=strained.ask._replace(near=None))
+    along, held = along_cases(strained.ask), strained.at(travel)
     drive = held.layout.drive
     effort = float(held.reactions.ravel()[driven_coordinate(held.layout)])
     x, y, z = (effort * float(each) for each in drive.direction)
@@ -491,7 +529,7 @@ def _moved_at(ask: Ask, travel: float, loads: Loads, sought: Floats) -> float:
     if not drive.turns:
         push = SpaceLoad(drive.body, drive.point, (x, y, z))
     body = held.layout.body(drive.body)
-    under, free = (at_travel(ask, None, loads=(push, *more)) for more in (loads, ()))
+    under, free = (strained.at(None, more=(push, *more)) for more in (loads, ()))
     moved = (state.motion_of(body.name, body.point) for state in (under, free))
     return float(sought @ along @ np.subtract(*moved))
 

@@ -29,7 +29,7 @@ from flexcli.parts.requirements.ask import Ask, RequirementError, Told
 from flexcli.parts.requirements.base import Bound, BoundAtStroke, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
-from flexcli.parts.space_states import beyond_first_order, changed_by_heat
+from flexcli.parts.space_states import beside_wrench, beyond_first_order, changed_beside
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -294,7 +294,7 @@ class Support(BoundAtStroke):
             index = DIRECTIONS.index(direction)
             heat = ask.joint_model.warm_support_ratio(ask, index, self.point, locked=locked)
             return found.times(heat.value, heat.error)
-        softer = changed_by_heat(joint_of(ask), locked=locked)
+        softer = changed_beside(joint_of(ask), ask.scene, locked=locked)
         if softer is None:
             return found.times(1.0, None)
         return found.times(
@@ -453,8 +453,9 @@ class Deflection(MotionBound):
         return scene.wrench is not None
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the wrench, and a temperature that strains what it moves."""
-        return frozenset({LoadKind.WRENCH, LoadKind.TEMPERATURE})
+        """Return the wrench, and what strains the joint that it moves."""
+        beside = {LoadKind.LOAD, LoadKind.ACCELERATION, LoadKind.TEMPERATURE}
+        return frozenset({LoadKind.WRENCH, *beside})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the deflection, whichever way it goes, against its bound."""
@@ -487,9 +488,9 @@ class Deflection(MotionBound):
         error: ErrorRange | None = None
         if not ask.scene.moves and form.error is not None:
             more = beyond_first_order(ask, compliance(ask, CENTRE) @ load, sought, load)
-            heat = changed_by_heat(joint_of(ask))
-            if more is not None and heat is not None:
+            strained = changed_beside(joint_of(ask), ask.scene, beside_wrench(ask))
+            if more is not None and strained is not None:
                 # of a motion that is not along its load, of what both would do
-                more += heat.largest * form.work / abs(form.found)
+                more += strained.largest * form.work / abs(form.found)
                 error = form.error + ErrorRange(-more, more)
         return form.found, error

@@ -1,4 +1,4 @@
-"""Deflections and sags of joints that a temperature strains, against beams under tension."""
+"""Deflections and sags of joints that a temperature or loads strain: beams under tension."""
 
 from math import sqrt, tan, tanh
 
@@ -134,3 +134,67 @@ def test_a_support_is_asked_at_the_temperatures_of_cases_too(warmer):
     assert warm.capacity == pytest.approx(true, rel=0.03)
     low, high = warm.factor_range
     assert low < true < high < 1.3 * low
+
+
+STAGE = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0, yield_strength: 830 MPa,
+           density: 1e-3 kg/m^3}}
+geometry: {{kind: leaf-spring-stage, h: 0.2 mm, l: 20 mm, b: 4 mm, blades: 2, spacing: 10 mm}}
+mechanism: {{kind: payload, mass: {mass} kg}}
+cases: {{work: {{{loads}}}}}
+requirements: {{{asked}: {{max: 1 m}}, yield: 1e-6}}
+"""
+DIRECTED = "deflection: {direction: x, max: 1 m}, yield"
+PUSH = 2.0 * 9.8696 * E * 4e-3 * 0.2e-3**3 / 12.0 / 20e-3**2
+"""Force along the blades that buckles the stage [N]."""
+
+
+def pushed(share):
+    """Return how far 10 mN move the stage beside a share of what buckles it."""
+    I, P = 4e-3 * 0.2e-3**3 / 12.0, share * PUSH / 2.0
+    k = sqrt(P / (E * I))
+    return 5e-3 * (2.0 / k * tan(k * L / 2.0) - L) / P
+
+
+def on_stage(loads, share, asked=DIRECTED, model=None):
+    text = STAGE.replace(
+        "{asked}: {{max: 1 m}}, yield", asked.replace("{", "{{").replace("}", "}}")
+    )
+    found = flexcli.check(text.format(mass=share * PUSH / 10.0, loads=loads), model=model)
+    return next(row for row in found.checks if row.name.startswith(asked.split(":")[0]))
+
+
+@pytest.mark.parametrize("share", [0.2, 0.7])
+@pytest.mark.parametrize(
+    "beside",
+    [
+        "wrench: {{x: 10 mN, y: -{P} N}}",
+        "load: {{force: {P} N}}, ends: clamped-clamped, wrench: {{x: 10 mN}}",
+        "acceleration: {{level: 10 m/s^2, axis: y}}, wrench: {{x: 10 mN}}",
+    ],
+)
+def test_what_a_wrench_moves_beside_a_push_is_alike_however_that_is_written(beside, share):
+    row = on_stage(beside.format(P=share * PUSH), share, model="exact")
+    true = pushed(share)
+    assert row.demand == pytest.approx(true, rel=0.01)
+    assert given(row)[0] < true < given(row)[1] < 1.5 * given(row)[0]
+
+
+def test_what_a_small_push_changes_is_in_the_range_of_linear_springs():
+    beside = "acceleration: {level: 10 m/s^2, axis: y}, wrench: {x: 10 mN}"
+    row = on_stage(beside, 0.02, model="linear")
+    assert given(row)[0] < pushed(0.02) < given(row)[1]
+    assert on_stage(beside, 0.5, model="linear").factor_range is None
+
+
+def test_a_push_that_buckles_a_stage_is_no_pass_of_its_deflection():
+    beside = "acceleration: {level: 10 m/s^2, axis: y}, wrench: {x: 10 mN}"
+    assert on_stage(beside, 1.2).verdict is Verdict.UNDECIDED
+
+
+def test_a_sag_beside_a_push_that_nearly_buckles_a_stage_is_left_open():
+    beside = f"acceleration: {{level: 1 m/s^2, axis: x}}, wrench: {{y: -{0.7 * PUSH} N}}"
+    asked = "sag: {max: 1 m}, yield"
+    assert on_stage(beside, 0.01, asked).verdict is Verdict.UNDECIDED
+    assert on_stage("acceleration: {level: 1 m/s^2, axis: x}", 0.01, asked).verdict is Verdict.PASS
