@@ -143,6 +143,14 @@ class Case(Part):
             raise spec_error(text, "give the profiles by axis: axes: {x: …, z: …}", at=("combine",))
         return self
 
+    def quiet(self) -> "Case | None":
+        """Return the case without what shakes its base, if anything else loads it."""
+        loads = (self.stroke, self.load, self.wrench, self.acceleration, self.temperature)
+        if not any(loads):
+            return None
+        shaking = ("asd", "axes", "shock", "sine", "sweep", "q")
+        return self.model_copy(update={**dict.fromkeys(shaking), "sines": ()})
+
     @property
     def vibrates(self) -> bool:
         """Return whether the base is shaken."""

@@ -67,6 +67,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
     across_by = _across_by(case, geometry, lasting, found)
     alone = mechanism is None or mechanism.joints == 1
     is_held = ends not in (None, FREE) or case.lock is not None or not alone or found.on_bodies
+    quiet = case.quiet() if case.vibrates else None
     return Scene(
         case=name,
         travel=travel,
@@ -108,6 +109,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         unjudged=found.unjudged,
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
         has_plane=geometry.has_plane,
+        standing=None if quiet is None else scene_of(name, quiet, mechanism, geometry),
     )
 
 

@@ -18,7 +18,6 @@ from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.requirements.buckling import borne
 from flexcli.parts.requirements.closed_form import least_blade_force
-from flexcli.parts.requirements.heated import standing
 from flexcli.parts.requirements.response_range import (
     Answer,
     Uncertain,
@@ -37,6 +36,12 @@ from flexcli.parts.requirements.shaking import (
     refuse_unknown_axes,
     shakings,
 )
+from flexcli.parts.requirements.standing import (
+    STANDING,
+    changed_peaks,
+    standing_force,
+    standing_stress,
+)
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import MOTIONS, Structure
@@ -51,8 +56,8 @@ AXIAL_TOO = "bending with the axial force"
 MILES = "Miles"
 """Name of the formula of one mode under a random vibration."""
 
-WARM = " and what the temperature strains"
-"""Name of the additional stress of a case with a temperature."""
+BESIDE = " and what stands beside it"
+"""Name of what stroke, static loads and temperature of a case add."""
 
 
 class _Peak(NamedTuple):
@@ -184,7 +189,7 @@ def _duration(scene: Scene, vibration: Vibration) -> float:
 class DynamicYield(Dynamic):
     """Factor on the peak stress of the modes, against R_p0.2 unless said otherwise.
 
-    With a temperature in the same case the thermal stress is added.
+    The largest stress of the case's stroke, static loads and temperature is added.
     """
 
     label: ClassVar[str] = "dynamic yield"
@@ -193,8 +198,8 @@ class DynamicYield(Dynamic):
     """Strength that the stress is held against, e.g. ``fatigue-amplitude``."""
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the loads that shake the base, and a temperature."""
-        return super().looks_at(scene) | (scene.loads & {LoadKind.TEMPERATURE})
+        """Return the loads that shake the base, and all that stands beside them."""
+        return super().looks_at(scene) | (scene.loads & {*STANDING, LoadKind.TEMPERATURE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the peak stress at every joint against the allowable."""
@@ -209,14 +214,14 @@ class DynamicYield(Dynamic):
             strength = ask.material.strength(self.allowable.replace("-", "_"))
         except MissingProperty as missing:
             raise RequirementError(str(missing), f"give material.{missing.field}") from missing
-        still, still_error, changed = standing(ask)
+        (still, still_error), changed = standing_stress(ask), changed_peaks(ask)
         kind = "von Mises" if ask.scene.vibrates_in_space else AXIAL_TOO
         for peak in peaks(ask, "stress", strength / self.factor):
             error = compounded(peak.error, changed)
             yield Limit(
                 self.label,
                 ask.scene.case,
-                f"{peak.what}{WARM if still else ''} ({kind})",
+                f"{peak.what}{BESIDE if still else ''} ({kind})",
                 peak.value + still,
                 strength,
                 "Pa",
@@ -260,10 +265,17 @@ def _of_plain_beams(error: ErrorRange | None, ask: Ask) -> ErrorRange | None:
 
 
 class DynamicBuckling(Dynamic):
-    """Factor on the peak axial force of the modes, against the least that buckles the joint."""
+    """Factor on the peak axial force of the modes, against the least that buckles the joint.
+
+    The largest force along a blade by the case's stroke and static loads is added.
+    """
 
     label: ClassVar[str] = "dynamic buckling"
     by_solids: ClassVar[bool] = False
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the loads that shake the base, and all loads that stand beside them."""
+        return super().looks_at(scene) | (scene.loads & STANDING)
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the peak axial force in every joint's blades against their critical force."""
@@ -289,19 +301,22 @@ class DynamicBuckling(Dynamic):
         critical = least_blade_force(ask)
         capacity, crushed = borne(critical, ask.material)
         per_force = ask.geometry.axial_stress(1.0, ask.sizes)
+        still, still_error = standing_force(ask, per_force)
         own = _of_plain_beams(critical.error, ask)
         for peak in peaks(ask, "axial stress", inf):
             yield Limit(
                 self.label,
                 scene.case,
-                f"{peak.what.replace('stress', 'force')} of a blade",
-                peak.value / per_force,
+                f"{peak.what.replace('stress', 'force')}{BESIDE if still else ''} of a blade",
+                peak.value / per_force + still,
                 capacity,
                 "N",
                 f"{peak.source}; {critical.source}: {scene.ends_why}{crushed}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
-                error=over(peak.error, own),
+                error=over(
+                    _summed((peak.value / per_force, peak.error), (still, still_error)), own
+                ),
             )
 
 
@@ -318,15 +333,17 @@ class DynamicLife(Dynamic):
     e.g. ``dirlik``.
     """
     mean_stress: Annotated[float, QuantityOf("stress", at_least=0.0)] = 0.0
-    """Tension that stands at the blade's end beside the vibration, by Goodman, e.g. ``50 MPa``."""
+    """Tension that stands at the blade's end beside the vibration, by Goodman, e.g. ``50 MPa``;
+    the largest stress of the case's stroke and static loads is added.
+    """
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case vibrates at random."""
         return self.covers(scene) and scene.vibration is not None
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the random vibration, and sines that stand on it."""
-        return scene.loads & (RANDOM | SINES)
+        """Return the random vibration, and what stands beside it, sines too."""
+        return scene.loads & (RANDOM | SINES | STANDING)
 
     def formula(self, scene: Scene) -> str:
         """Return none: damage hangs on all of the response's spectrum."""
@@ -343,6 +360,8 @@ class DynamicLife(Dynamic):
                 "not computed",
                 f"give the {' and the '.join(beside)} a case of its own, or judge another case",
             )
+        mean, off = standing_stress(ask)
+        mean, means = self.mean_stress + mean, None if off is None else [mean * end for end in off]
         exposures = list(_exposures(ask, vibration))
         duration = sum(exposure.duration for exposure in exposures)
         shaken = at_once(ask, lambda _scene, random, _rate: random.sigma)
@@ -357,9 +376,10 @@ class DynamicLife(Dynamic):
         own = [ranges[name] for name in MOTIONS if name in ranges]
         travel = _largest(*own[0]) if own else 0.0
         rest = found.stress_error(ask, travel, peaks)
-        mean = f"mean stress {self.mean_stress / 1e6:.4g} MPa" if self.mean_stress else "no mean"
+        told = f"mean stress {mean / 1e6:.4g} MPa" if mean else "no mean"
         on_it = "".join(f", {exposure.told}" for exposure in exposures if exposure.sines)
-        for name, (life, error) in self._lives(ask, found, exposures, rest).items():
+        ends = None if means is None else (mean, *(mean + each for each in means))
+        for name, (life, error) in self._lives(ask, found, exposures, rest, (mean, ends)).items():
             yield Limit(
                 self.label,
                 ask.scene.case,
@@ -367,7 +387,7 @@ class DynamicLife(Dynamic):
                 duration,
                 life,
                 "s",
-                f"{self.method}, S-N amplitudes at R = −1, {mean}, modal response, "
+                f"{self.method}, S-N amplitudes at R = −1, {told}, modal response, "
                 f"{vibration.q.told}{on_it}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
@@ -376,30 +396,40 @@ class DynamicLife(Dynamic):
             )
 
     def _lives(
-        self, ask: Ask, found: Uncertain, exposures: "Sequence[_Exposure]", rest: ErrorRange | None
+        self,
+        ask: Ask,
+        found: Uncertain,
+        exposures: "Sequence[_Exposure]",
+        rest: ErrorRange | None,
+        means: tuple[float, tuple[float, ...] | None],
     ) -> dict[str, tuple[float, ErrorRange | None]]:
         """Return the life at every joint [s], with its error from the range of the stress.
 
-        Damages of exposures one after another add up (Miner).
+        Damages of exposures one after another add up (Miner). ``means`` are the mean stress and all
+        that it may be, if that is known [Pa].
         """
+        mean, all_means = means
 
-        def lives(structure: Structure, stress: float = 1.0) -> dict[str, float]:
-            """Return the lives when every stress is multiplied by a factor."""
+        def lives(
+            structure: Structure, stress: float = 1.0, mean: float = mean
+        ) -> dict[str, float]:
+            """Return the lives when every stress is multiplied by a factor, beside a mean."""
             whole = sum(exposure.duration for exposure in exposures)
             used: dict[str, float] = {}
             for exposure in exposures:
-                for name, life in self._alone(ask, structure, exposure, stress).items():
+                for name, life in self._alone(ask, structure, exposure, stress, mean).items():
                     share = exposure.duration / life if life > 0.0 else inf
                     used[name] = used.get(name, 0.0) + share
             return {name: whole / each if each > 0.0 else inf for name, each in used.items()}
 
         try:
-            if rest is None or found.others is None:
+            if rest is None or found.others is None or all_means is None:
                 return {name: (life, None) for name, life in lives(found.structure).items()}
             every = [
-                lives(structure, 1.0 + end)
+                lives(structure, 1.0 + end, beside)
                 for structure in (found.structure, *found.others)
                 for end in rest
+                for beside in dict.fromkeys(all_means)
             ]
             plain = lives(found.structure)
         except MissingProperty as missing:
@@ -414,7 +444,7 @@ class DynamicLife(Dynamic):
         }
 
     def _alone(
-        self, ask: Ask, structure: Structure, exposure: "_Exposure", stress: float
+        self, ask: Ask, structure: Structure, exposure: "_Exposure", stress: float, mean: float
     ) -> dict[str, float]:
         """Return the life at every joint under one exposure alone [s], stresses times a factor."""
         from flexcli.parts.response import random_outputs
@@ -428,7 +458,7 @@ class DynamicLife(Dynamic):
                 continue
             m0, m1, m2, m4 = (moment * stress**2 for moment in output.moments)
             sine = SineStress(stress * sum(peaks[name] for peaks, _ in sines), highest)
-            by_method = life_under(ask.material, (m0, m1, m2, m4), self.mean_stress, sine)
+            by_method = life_under(ask.material, (m0, m1, m2, m4), mean, sine)
             if self.method not in ("least", *by_method):
                 why = (
                     "is of a random stress alone, and sines stand on it"

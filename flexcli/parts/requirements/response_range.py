@@ -17,7 +17,7 @@ from flexcli.parts.own_motion import DENSEST, structure_of
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.structure import Structure
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 __all__ = ["Answer", "Uncertain", "between", "compounded", "over", "uncertain_structure"]
 
@@ -136,7 +136,10 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     off = ask.joint_model.error(ask, QuantityKind.STIFFNESS)
     if off is None or geometry.has_limbs(elastic, sizes):
         return Uncertain(structure, None)
-    ends = [factor * (1.0 + off.low), factor * (1.0 + off.high)]
+    beside = _stiffened_by_loads(ask)
+    if beside is None:
+        return Uncertain(structure, None)
+    ends = [factor * (1.0 + a) * (1.0 + b) for a, b in zip(off, beside, strict=True)]
     if _leaves_its_motion(ask):
         # what stretches the blades is no softer or stiffer by their width, but by their clamps
         least, most = map(float, ask.geometry.crossed(ask.sizes))
@@ -166,11 +169,34 @@ def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     except NotAvailable as error:
         hint = "draw it as a space-layout, or take z out of the case"
         raise RequirementError(f"a {ask.geometry.name} {error}", hint) from error
-    if others is not None:
+    beside = _stiffened_by_loads(ask)
+    if beside is None:
+        others = None
+    if others is not None and beside is not None:
+        low, high = low * (1.0 + beside.low), high * (1.0 + beside.high)
+        others += tuple(own.stiffened(end) for end in dict.fromkeys((low, high)))
         onto = sorted(set(_onto(own, frequencies, low, high)))
         others += tuple(own.stiffened(f) for f in onto[:: 1 + len(onto) // MOST_FACTORS])
         others += (own.stiffened(1.0 / (1.0 + ask.clamp_softening)),)
     return Uncertain(own, others, partial(shape_error, joint, own, ask.scene.shaken_axes))
+
+
+def _stiffened_by_loads(ask: Ask) -> ErrorRange | None:
+    """Return by what share static loads beside a vibration change stiffnesses; None if by much."""
+    scene = ask.scene.standing
+    if scene is None or not (any(scene.stated) or any(map(any, scene.inertial))):
+        return EXACT
+    from flexcli.parts.space_joint import joint_of
+    from flexcli.parts.space_states import acting_groups, changed_beside
+
+    try:
+        joint = joint_of(ask._replace(scene=scene))
+        softer = changed_beside(joint, scene, acting_groups(joint, scene))
+    except NotAvailable:  # no shear modulus
+        return None
+    if softer is None:
+        return None
+    return ErrorRange(1.0 / (1.0 + softer.high) - 1.0, 1.0 / (1.0 + softer.low) - 1.0)
 
 
 def _leaves_its_motion(ask: Ask) -> bool:

@@ -155,11 +155,11 @@ def test_a_life_is_shorter_by_the_power_of_the_stress():
     assert 1.0 + found.error.high == pytest.approx((plain / softer) ** k, rel=0.1)
 
 
-def test_it_looks_at_all_that_shakes_and_at_nothing_else():
+def test_it_looks_at_all_that_shakes_and_at_what_stands_beside_it():
     case = {**sine(50.0), "stroke": {"translation": "0.1 mm"}}
     found = design(case)
     ((_, requirement),) = found.requirements.each()
-    assert requirement.looks_at(found.scene("shake")) == {LoadKind.SINE}
+    assert requirement.looks_at(found.scene("shake")) == {LoadKind.SINE, LoadKind.STROKE}
 
 
 def test_it_is_asked_of_cases_that_shake_and_are_named():
