@@ -118,6 +118,15 @@ UNSTRESSED = 1e-10
 """Stress over that of blades whose bodies were held, below which a missed seat leaves rounding:
 bodies that nothing over-constrains follow it freely."""
 
+GIVES_WAY = 8.0
+"""Times (φ b/h)², of a blade turned by φ: what it gives way along its width more, 3 E/G."""
+
+SHORTENS = 0.03
+"""Times (φ l/h)²: what it gives way along itself more, 12/700 as an S, up to 12/525 as an arc."""
+
+WHOLE = np.linspace(-1.0, 1.0, 9)[None]
+"""Places along a piece of a blade."""
+
 TWOFOLD = 2.0
 """Factor on the effect at rest of uneven sections: its upper bound at a stroke."""
 
@@ -256,14 +265,21 @@ def senses_beside(scene: Scene, groups: Sequence[Acting]) -> Iterator[tuple[floa
 
 
 def changed_beside(
-    joint: SpaceJoint, scene: Scene, beside: Sequence[Acting] = (), *, locked: bool = False
+    joint: SpaceJoint,
+    scene: Scene,
+    beside: Sequence[Acting] = (),
+    *,
+    locked: bool = False,
+    driven: bool = False,
 ) -> ErrorRange | None:
     """Return by what share of itself what strains a joint changes a compliance at most.
 
     That is a temperature, and loads ``beside`` those that are asked about. Their forces make any
     stiffness of straight blades and bodies as much less as the share that they are of those which
     turn them aside, and as much more as they are of these reversed: the largest changes of the
-    stiffness of bodies that move anywhere. The drive is ``locked`` or free.
+    stiffness of bodies that move anywhere. How far they turn blades counts besides, as bent blades
+    give way along their width by twisting, and along themselves by bending: but for a motion along
+    the drive that a load along it causes, ``driven``. The drive is ``locked`` or free.
 
     Returns
     -------
@@ -278,11 +294,28 @@ def changed_beside(
     times, softer, stiffer = 1.0 if joint.is_uniform else UNEVEN, 0.0, 0.0
     for signs in senses_beside(scene, beside):
         both = combined([*heat, *states], [*(1.0 for _ in heat), *signs])
-        softer = max(softer, times * both.following().buckling)
-        stiffer = max(stiffer, times * combined([both], [-1.0]).following().buckling)
+        after, reversed_ = (combined([both], [sense]).following() for sense in (1.0, -1.0))
+        turned = 0.0 if driven else _given_way(joint, after.rotation)
+        softer = max(softer, times * after.buckling + turned)
+        stiffer = max(stiffer, times * reversed_.buckling + turned)
     if max(softer, stiffer) > KNOWN:
         return None
     return ErrorRange(1.0 / (1.0 + stiffer) - 1.0, 1.0 / (1.0 - softer) - 1.0)
+
+
+def _given_way(joint: SpaceJoint, turn: float) -> float:
+    """Return by what share more blades that are turned give way along their width and length."""
+    most = 0.0
+    for blade, member in zip(joint.layout.blades, joint.assembly.members, strict=True):
+        if isinstance(blade, SpaceRod):
+            h = b = blade.d
+        else:
+            pieces = blade.profile.pieces(member.l)
+            h = min(float(np.min(piece.thickness(WHOLE))) for piece in pieces)
+            b = blade.b
+        wide = GIVES_WAY * (max(b / h, h / b) * turn) ** 2
+        most = max(most, wide, SHORTENS * (member.l / min(h, b) * turn) ** 2)
+    return most
 
 
 def sag(joint: SpaceJoint, scene: Scene) -> Told:

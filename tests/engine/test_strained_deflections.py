@@ -198,3 +198,28 @@ def test_a_sag_beside_a_push_that_nearly_buckles_a_stage_is_left_open():
     asked = "sag: {max: 1 m}, yield"
     assert on_stage(beside, 0.01, asked).verdict is Verdict.UNDECIDED
     assert on_stage("acceleration: {level: 1 m/s^2, axis: x}", 0.01, asked).verdict is Verdict.PASS
+
+
+def test_a_stage_that_sags_gives_way_across_its_plane_as_at_a_stroke_as_far():
+    text = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0, yield_strength: 830 MPa,
+           density: 1e-3 kg/m^3}}
+geometry: {{kind: leaf-spring-stage, h: 0.2 mm, l: 20 mm, b: 10 mm, blades: 2, spacing: 10 mm}}
+mechanism: {{kind: payload, mass: 1 kg}}
+cases: {{work: {{{moves}, wrench: {{z: 10 mN}}}}}}
+requirements: {{deflection: {{direction: z, max: 1 m}}}}
+"""
+    level = 24.0 * E * 10e-3 * 0.2e-3**3 / 12.0 / 20e-3**3 * 1e-3
+    sags = f"acceleration: {{level: {level} m/s^2, axis: x}}"
+
+    def deflection(moves, model):
+        checks = flexcli.check(text.format(moves=moves), model=model).checks
+        return next(row for row in checks if row.name.startswith("deflection"))
+
+    sagged = deflection(sags, "exact")
+    moved = deflection("stroke: {translation: 1 mm}", "exact")
+    assert sagged.demand == pytest.approx(moved.demand, rel=0.02)
+    assert given(sagged)[0] < moved.demand < given(sagged)[1]
+    assert moved.demand > 1.1 * deflection("stroke: {translation: 1 um}", "exact").demand
+    assert deflection(sags, "linear").factor_range is None

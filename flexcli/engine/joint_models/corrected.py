@@ -297,7 +297,7 @@ class Corrected(JointModel):
         scene = ask.scene
         has_heat = scene.temperature is not None
         if has_heat and ask.geometry.sags_along_stroke(scene.axis):
-            scene, has_heat = scene.at_assembly()._replace(stated=scene.stated), False
+            scene, has_heat = scene.at_assembly(), False
         if not (has_heat or any(scene.stated)):
             return EXACT
         with suppress(NotAvailable):
@@ -308,7 +308,8 @@ class Corrected(JointModel):
         try:
             joint = joint_of(ask._replace(scene=scene))
             stated = acting_groups(joint, scene._replace(inertial=(), accelerations=()))
-            return changed_beside(joint, scene, stated)
+            driven = ask.geometry.sags_along_stroke(scene.axis)
+            return changed_beside(joint, scene, stated, driven=driven)
         except NotAvailable:  # no shear modulus, or no blades
             return None
 

@@ -191,7 +191,9 @@ def _stiffened_by_loads(ask: Ask) -> ErrorRange | None:
 
     try:
         joint = joint_of(ask._replace(scene=scene))
-        softer = changed_beside(joint, scene, acting_groups(joint, scene))
+        driven = not (scene.vibrates_in_space or ask.scene.vibrates_in_space)
+        driven = driven and not _leaves_its_motion(ask)
+        softer = changed_beside(joint, scene, acting_groups(joint, scene), driven=driven)
     except NotAvailable:  # no shear modulus
         return None
     if softer is None:

@@ -180,6 +180,11 @@ def spoken_place(point: Place) -> str:
     return f" at ({', '.join(f'{1e3 * c:g}' for c in point)}) mm"
 
 
+def _is_along(one: NDArray[np.float64], other: NDArray[np.float64]) -> bool:
+    """Return whether two wrenches, or rows of motions, are multiples of each other."""
+    return bool(np.linalg.matrix_rank(np.stack([one, other])) < 2)
+
+
 def _along(direction: Direction) -> str:
     return f"about {direction[-1]}" if turns(direction) else f"along {direction}"
 
@@ -488,7 +493,11 @@ class Deflection(MotionBound):
         error: ErrorRange | None = None
         if not ask.scene.moves and form.error is not None:
             more = beyond_first_order(ask, compliance(ask, CENTRE) @ load, sought, load)
-            strained = changed_beside(joint_of(ask), ask.scene, beside_wrench(ask))
+            joint, along = joint_of(ask), motion_along(axes_about_z(ask.geometry.axes))
+            drive = along @ joint.layout.drive.motion
+            driven = all(_is_along(each, drive) for each in (load, sought))
+            beside = beside_wrench(ask)
+            strained = changed_beside(joint, ask.scene, beside, driven=driven)
             if more is not None and strained is not None:
                 # of a motion that is not along its load, of what both would do
                 more += strained.largest * form.work / abs(form.found)
