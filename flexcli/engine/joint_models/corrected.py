@@ -278,7 +278,7 @@ class Corrected(JointModel):
             return self._left(ask, kind, found, self.inner.shift_carries(ask))
         if kind is not QuantityKind.SAG or not ask.scene.sags:
             return self._left(ask, kind, found)
-        from flexcli.parts.space_states import beyond_linear_sag
+        from flexcli.parts.strained_compliance import beyond_linear_sag
 
         left, more = (
             self._left(ask, kind, found, self.inner.sag_carries(ask)),
@@ -303,7 +303,8 @@ class Corrected(JointModel):
         with suppress(NotAvailable):
             return self.inner.heat_in_sag(ask)
         from flexcli.parts.space_joint import joint_of
-        from flexcli.parts.space_states import acting_groups, changed_beside
+        from flexcli.parts.space_states import acting_groups
+        from flexcli.parts.strained_compliance import changed_beside
 
         try:
             joint = joint_of(ask._replace(scene=scene))

@@ -238,7 +238,7 @@ class ExactModel(JointModel):
 
         """
         from flexcli.engine.joint_models.space_deflection import sag_changes
-        from flexcli.parts.space_states import beyond_linear_sag
+        from flexcli.parts.strained_compliance import beyond_linear_sag
 
         if not ask.scene.sags:
             raise NotAvailable("does not sag along one axis")

@@ -33,7 +33,8 @@ from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.requirements import Ask, Told
 from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of, deflection_form
 from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
-from flexcli.parts.space_states import acting_groups, beside_wrench, senses_beside
+from flexcli.parts.space_states import acting_groups
+from flexcli.parts.strained_compliance import beside_wrench, senses_beside
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -393,7 +394,7 @@ def warm_sag_ratio(ask: Ask) -> Told:
     Raises
     ------
     NotAvailable
-        When there is no stable equilibrium, or nobody compared.
+        When there is no stable equilibrium.
 
     """
     joint, axis = joint_in_space(ask.geometry, ask.material, ask.sizes), ask.scene.axis

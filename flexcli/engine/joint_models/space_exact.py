@@ -59,9 +59,9 @@ from flexcli.parts.space_states import (
     WARPING_ERROR,
     acting_groups,
     bent_by_gradient,
-    sag,
     senses,
 )
+from flexcli.parts.strained_compliance import sag
 from flexcli.parts.worst_places import worst_places
 from flexcli.results import ErrorRange, QuantityKind
 

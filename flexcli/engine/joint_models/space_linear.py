@@ -27,10 +27,10 @@ from flexcli.parts.space_states import (
     Place,
     acting_groups,
     motions,
-    sag,
     straight_shares,
     stress_places,
 )
+from flexcli.parts.strained_compliance import sag
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:

@@ -187,7 +187,8 @@ def _stiffened_by_loads(ask: Ask) -> ErrorRange | None:
     if scene is None or not (any(scene.stated) or any(map(any, scene.inertial))):
         return EXACT
     from flexcli.parts.space_joint import joint_of
-    from flexcli.parts.space_states import acting_groups, changed_beside
+    from flexcli.parts.space_states import acting_groups
+    from flexcli.parts.strained_compliance import changed_beside
 
     try:
         joint = joint_of(ask._replace(scene=scene))

@@ -29,7 +29,7 @@ from flexcli.parts.requirements.ask import Ask, RequirementError, Told
 from flexcli.parts.requirements.base import Bound, BoundAtStroke, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
-from flexcli.parts.space_states import beside_wrench, beyond_first_order, changed_beside
+from flexcli.parts.strained_compliance import beside_wrench, beyond_first_order, changed_beside
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
