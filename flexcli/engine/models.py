@@ -125,6 +125,7 @@ def _has_solids(design: DesignSpec) -> bool:
     material = design.material
     known = material.poisson_ratio is not None and not material.is_directed
     is_whole = design.fixed_sizes() is not None and not design.omitted
+    is_whole = is_whole and not design.is_off(EffectName.THICK_NOTCH)
     return design.geometry.solids is not None and known and is_whole
 
 

@@ -241,3 +241,18 @@ def test_a_range_that_says_nothing_of_a_stress_holds_what_is_told(tmp_path):
     check = only(checked(tmp_path, "  yield: 0.5", model="solid", **of))
     assert check.factor_range is None or check.factor_range[0] <= check.factor
     assert check.factor_range is None or check.factor_range[1] >= check.factor
+
+
+def test_solids_are_not_asked_where_the_spec_leaves_out_what_they_have_of_thick_notches():
+    """What is switched off stays in the error of beams, and decides nothing."""
+    text = NOTCH.format(
+        kind=THICK, blocks=STATED, case=STROKE, mechanism="", nu=0.3,
+        requirements="  stiffness: {min: 1 N*m/rad}",
+    )  # fmt: skip
+    value = flexcli.check(text, model="exact").checks[0].factor
+    near = text.replace("min: 1 N*m/rad", f"min: {0.99 * value} N*m/rad")
+    whole, without = (
+        flexcli.check(each).checks[0] for each in (near, near + "effects: {thick-notch: off}\n")
+    )
+    assert whole.model == "solid"
+    assert (without.model, without.verdict.value) == ("exact", "undecided")
