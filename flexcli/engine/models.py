@@ -124,9 +124,9 @@ def _has_solids(design: DesignSpec) -> bool:
     """
     material = design.material
     known = material.poisson_ratio is not None and not material.is_directed
-    is_whole = design.fixed_sizes() is not None and not design.omitted
-    is_whole = is_whole and not design.is_off(EffectName.THICK_NOTCH)
-    return design.geometry.solids is not None and known and is_whole
+    is_whole = not (design.omitted or design.is_off(EffectName.THICK_NOTCH))
+    is_sized = design.fixed_sizes() is not None
+    return design.geometry.solids is not None and known and is_whole and is_sized
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:

@@ -138,11 +138,13 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
     """
     S = np.linalg.inv(turned_stiffness(C, axes))
     E, E_width = 1.0 / S[0, 0], 1.0 / S[2, 2]
-    twists, skews = (max(float(S[i, k] ** 2 / (S[i, i] * S[k, k])) for i in (0, 2)) for k in (4, 5))
+
+    def coupled(i: int, k: int) -> float:
+        return float(S[i, k] ** 2 / (S[i, i] * S[k, k]))
+
     plane = np.array([0, 2, 4])
     wide = np.linalg.inv(S[plane[:, None], plane])[0, 0] * S[0, 0]
-    plate = 1.0 / (1.0 - S[0, 2] ** 2 / (S[0, 0] * S[2, 2]))
-    own = float(S[0, 4] ** 2 / (S[0, 0] * S[4, 4]))
+    plate = 1.0 / (1.0 - coupled(0, 2))
     return StripConstants(
         E=float(E),
         E_width=float(E_width),
@@ -150,10 +152,10 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
         nu_length=float(-S[0, 2] * E_width),
         G_wide=float(1.0 / S[4, 4]),
         G_thin=float(1.0 / S[5, 5]),
-        twists=twists,
-        skews=skews,
-        thins=float(S[0, 1] ** 2 / (S[0, 0] * S[1, 1])),
-        held=max(1.0 / (1.0 - own), float(wide / plate)) - 1.0,
+        twists=max(coupled(0, 4), coupled(2, 4)),
+        skews=max(coupled(0, 5), coupled(2, 5)),
+        thins=coupled(0, 1),
+        held=max(1.0 / (1.0 - coupled(0, 4)), float(wide / plate)) - 1.0,
         sheared_held=float(abs(S[0, 4] / S[4, 4])),
     )
 

@@ -117,8 +117,7 @@ class Case(Part):
 
     @model_validator(mode="after")
     def _asks_something(self) -> "Case":
-        loads = (self.stroke, self.load, self.wrench, self.acceleration, self.temperature)
-        if not self._is_at_rest and not self.vibrates and not any(loads):
+        if not (self._is_at_rest or self.vibrates or self._stands):
             raise spec_error(
                 "this case loads nothing",
                 "give it a stroke, a load, an acceleration, an asd, axes, a shock, a sine, a "
@@ -145,11 +144,15 @@ class Case(Part):
 
     def quiet(self) -> "Case | None":
         """Return the case without what shakes its base, if anything else loads it."""
-        loads = (self.stroke, self.load, self.wrench, self.acceleration, self.temperature)
-        if not any(loads):
+        if not self._stands:
             return None
         shaking = ("asd", "axes", "shock", "sine", "sweep", "q")
         return self.model_copy(update={**dict.fromkeys(shaking), "sines": ()})
+
+    @property
+    def _stands(self) -> bool:
+        """Return whether something loads it that does not shake its base."""
+        return any((self.stroke, self.load, self.wrench, self.acceleration, self.temperature))
 
     @property
     def vibrates(self) -> bool:

@@ -145,9 +145,9 @@ class Scene(NamedTuple):
     unjudged: str = ""
     """Why no model has an answer to all that acts in it, empty where one may."""
     directed: bool = False
+    """Whether the first of ``forces`` acts in its stated sense only, not either way."""
     standing: "Scene | None" = None
     """What stands beside the vibrations of a case, if anything does: the case without them."""
-    """Whether the first of ``forces`` acts in its stated sense only, not either way."""
     has_plane: bool = True
     """Whether the joint has a plane in which forces act on it, as bars along an axis do not."""
 

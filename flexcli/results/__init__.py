@@ -15,6 +15,7 @@ from flexcli.results.judgement import (
     QuantityKind,
     Value,
     Verdict,
+    error_of_ratio,
 )
 from flexcli.results.result import (
     Cost,
@@ -39,5 +40,6 @@ __all__ = [
     "Status",
     "Value",
     "Verdict",
+    "error_of_ratio",
     "with_seconds",
 ]

@@ -16,6 +16,7 @@ __all__ = [
     "QuantityKind",
     "Value",
     "Verdict",
+    "error_of_ratio",
 ]
 
 
@@ -52,6 +53,14 @@ class ErrorRange(NamedTuple):
 
 EXACT = ErrorRange(0.0, 0.0)
 """Error of a number that the spec itself defines, such as a mass or a ratio of sizes."""
+
+
+def error_of_ratio(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
+    """Return the range of the error of a ratio; None where one is unknown."""
+    if one is None or other is None or other.low <= -1.0:
+        return None
+    ends = [(1.0 + a) / (1.0 + b) - 1.0 for a in one for b in other]
+    return ErrorRange(min(ends), max(ends))
 
 
 class Verdict(StrEnum):

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from flexcli.engine.joint_models.space_deflection import load_error, unsure_springs
-from flexcli.engine.joint_models.space_stroke import BEAMS, Blades
+from flexcli.engine.joint_models.space_stroke import BEAMS, Blades, held_motion
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
@@ -94,12 +94,9 @@ def _joint(ask: Ask) -> SpaceJoint:
 def _off(ask: Ask, missed: MissedSeat, model: StressModel) -> SpaceEquilibrium:
     """Return the joint with a seat that is off, its drive free and its guide held."""
     layout, blades = _joint(ask).layout, model.blades
-    held: list[float | None] = [None] * 6
-    if ask.geometry.is_guided:
-        held[5] = 0.0  # the frame's third axis is z
     try:
         found = solve(
-            layout, {layout.drive.body: held}, frames=drive_frame(layout.drive), missed=missed,
+            layout, held_motion(ask, layout), frames=drive_frame(layout.drive), missed=missed,
             tolerance=blades.tolerance, levels=blades.levels, made=blades.made,
         ).checked()  # fmt: skip
     except SolveError as error:

@@ -31,6 +31,7 @@ __all__ = [
     "compliance_along_cases",
     "driven_coordinate",
     "forget",
+    "held_motion",
     "support_at_stroke",
     "warm_ratio",
     "warm_support_ratio",
@@ -95,13 +96,8 @@ def at_travel(
     blades = BEAMS if blades is None else blades
     known, key = _KNOWN.setdefault(joint, {}), (blades.name, travel, loads, ask.near is not None)
     if key not in known:
-        layout = joint.layout
-        held: list[float | None] = [None] * 6
-        if ask.geometry.is_guided:
-            # the frame's third axis is z
-            held[5] = 0.0
-        held[3 if layout.drive.turns else 0] = travel
-        motion, frames = {layout.drive.body: held}, drive_frame(layout.drive)
+        layout, frames = joint.layout, drive_frame(joint.layout.drive)
+        motion = held_motion(ask, layout, travel)
         if ask.near is None:
             try:
                 known[key] = solve(
@@ -133,6 +129,20 @@ def _under(travel: float | None, loads: Loads) -> str:
     if travel is None:
         return "under its loads" if loads else "by its temperature"
     return "at its stroke with the drive locked" + (" under its loads" if loads else "")
+
+
+def held_motion(
+    ask: Ask, layout: SpaceLayout, travel: float | None = None
+) -> dict[str, list[float | None]]:
+    """Return what holds the driven body in its drive's frame: its guide, and its drive at a travel.
+
+    Without a travel the drive is free.
+    """
+    held: list[float | None] = [None] * 6
+    if ask.geometry.is_guided:
+        held[5] = 0.0  # the frame's third axis is z
+    held[3 if layout.drive.turns else 0] = travel
+    return {layout.drive.body: held}
 
 
 def forget() -> None:

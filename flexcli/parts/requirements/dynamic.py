@@ -23,7 +23,6 @@ from flexcli.parts.requirements.response_range import (
     Uncertain,
     between,
     compounded,
-    over,
     uncertain_structure,
 )
 from flexcli.parts.requirements.shaking import (
@@ -45,7 +44,7 @@ from flexcli.parts.requirements.standing import (
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import MOTIONS, Structure
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import ErrorRange, QuantityKind, error_of_ratio
 
 __all__ = ["Dynamic", "DynamicBuckling", "DynamicLife", "DynamicYield", "FindsPeaks"]
 
@@ -314,7 +313,7 @@ class DynamicBuckling(Dynamic):
                 f"{peak.source}; {critical.source}: {scene.ends_why}{crushed}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
-                error=over(
+                error=error_of_ratio(
                     _summed((peak.value / per_force, peak.error), (still, still_error)), own
                 ),
             )
@@ -360,8 +359,9 @@ class DynamicLife(Dynamic):
                 "not computed",
                 f"give the {' and the '.join(beside)} a case of its own, or judge another case",
             )
-        mean, off = standing_stress(ask)
-        mean, means = self.mean_stress + mean, None if off is None else [mean * end for end in off]
+        still, off = standing_stress(ask)
+        mean = self.mean_stress + still
+        means = None if off is None else (mean, *(mean + still * end for end in off))
         exposures = list(_exposures(ask, vibration))
         duration = sum(exposure.duration for exposure in exposures)
         shaken = at_once(ask, lambda _scene, random, _rate: random.sigma)
@@ -378,8 +378,7 @@ class DynamicLife(Dynamic):
         rest = found.stress_error(ask, travel, peaks)
         told = f"mean stress {mean / 1e6:.4g} MPa" if mean else "no mean"
         on_it = "".join(f", {exposure.told}" for exposure in exposures if exposure.sines)
-        ends = None if means is None else (mean, *(mean + each for each in means))
-        for name, (life, error) in self._lives(ask, found, exposures, rest, (mean, ends)).items():
+        for name, (life, error) in self._lives(ask, found, exposures, rest, (mean, means)).items():
             yield Limit(
                 self.label,
                 ask.scene.case,

@@ -17,9 +17,9 @@ from flexcli.parts.own_motion import DENSEST, structure_of
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.structure import Structure
-from flexcli.results import EXACT, ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind, error_of_ratio
 
-__all__ = ["Answer", "Uncertain", "between", "compounded", "over", "uncertain_structure"]
+__all__ = ["Answer", "Uncertain", "between", "compounded", "uncertain_structure"]
 
 Floats = NDArray[np.float64]
 
@@ -192,14 +192,11 @@ def _stiffened_by_loads(ask: Ask) -> ErrorRange | None:
 
     try:
         joint = joint_of(ask._replace(scene=scene))
-        driven = not (scene.vibrates_in_space or ask.scene.vibrates_in_space)
-        driven = driven and not _leaves_its_motion(ask)
+        driven = not (ask.scene.vibrates_in_space or _leaves_its_motion(ask))
         softer = changed_beside(joint, scene, acting_groups(joint, scene), driven=driven)
     except NotAvailable:  # no shear modulus
         return None
-    if softer is None:
-        return None
-    return ErrorRange(1.0 / (1.0 + softer.high) - 1.0, 1.0 / (1.0 + softer.low) - 1.0)
+    return error_of_ratio(EXACT, softer)
 
 
 def _leaves_its_motion(ask: Ask) -> bool:
@@ -227,14 +224,6 @@ def compounded(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange |
     if one is None or other is None:
         return None
     ends = [(1.0 + a) * (1.0 + b) - 1.0 for a in one for b in other]
-    return ErrorRange(min(ends), max(ends))
-
-
-def over(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
-    """Return the range of the error of a ratio; None where one is unknown."""
-    if one is None or other is None or other.low <= -1.0:
-        return None
-    ends = [(1.0 + a) / (1.0 + b) - 1.0 for a in one for b in other]
     return ErrorRange(min(ends), max(ends))
 
 

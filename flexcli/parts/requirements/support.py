@@ -30,7 +30,7 @@ from flexcli.parts.requirements.base import Bound, BoundAtStroke, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
 from flexcli.parts.strained_compliance import beside_wrench, beyond_first_order, changed_beside
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind, error_of_ratio
 
 if TYPE_CHECKING:
     from flexcli.mechanics.space.linear import SpaceAssembly
@@ -67,7 +67,7 @@ CENTRE = (0.0, 0.0, 0.0)
 HELD = 1e-14
 """Share of the compliance below which a guide or the drive holds a direction."""
 
-EXACT = "exact beams in space under the wrench, and their tangent at stroke"
+BY_BEAMS = "exact beams in space under the wrench, and their tangent at stroke"
 
 
 def compliance_of(
@@ -284,7 +284,7 @@ class Support(BoundAtStroke):
         value, error = self._at_rest(ask, joint, self.direction)
         if self.over is not None:
             other = self._at_rest(ask, joint, self.over)
-            value, error = value / other.value, _of_ratio(error, other.error)
+            value, error = value / other.value, error_of_ratio(error, other.error)
         case, quantity = self.case_of(ask.scene), f"{self.spoken}, drive {self.drive}"
         for limit in self._bounds(value, error, case, quantity, ask.joint_model.at_rest):
             yield limit._replace(is_directed=joint.is_directed)
@@ -300,11 +300,7 @@ class Support(BoundAtStroke):
             heat = ask.joint_model.warm_support_ratio(ask, index, self.point, locked=locked)
             return found.times(heat.value, heat.error)
         softer = changed_beside(joint_of(ask), ask.scene, locked=locked)
-        if softer is None:
-            return found.times(1.0, None)
-        return found.times(
-            1.0, ErrorRange(1.0 / (1.0 + softer.high) - 1.0, 1.0 / (1.0 + softer.low) - 1.0)
-        )
+        return found.times(1.0, error_of_ratio(EXACT, softer))
 
     def _limits_at_stroke(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness at both ends of the case's stroke."""
@@ -376,14 +372,6 @@ def _with_clamps(ask: Ask, error: ErrorRange | None) -> ErrorRange | None:
     if error is None:
         return None
     return error._replace(low=(1.0 + error.low) / (1.0 + ask.clamp_softening) - 1.0)
-
-
-def _of_ratio(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
-    """Return the error of a quotient of two numbers with errors."""
-    if one is None or other is None:
-        return None
-    low = (1.0 + one.low) / (1.0 + other.high)
-    return ErrorRange(low - 1.0, (1.0 + one.high) / (1.0 + other.low) - 1.0)
 
 
 class MotionBound(Bound):
@@ -466,7 +454,7 @@ class Deflection(MotionBound):
         """Yield the deflection, whichever way it goes, against its bound."""
         assert ask.scene.wrench is not None  # it applies
         try:
-            found, source = ask.joint_model.deflections(ask, self.point, self.direction), EXACT
+            found, source = ask.joint_model.deflections(ask, self.point, self.direction), BY_BEAMS
         except Buckled:
             raise
         except NotAvailable as reason:

@@ -11,10 +11,10 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.quality import Quality
 from flexcli.parts.requirements import Ask, RequirementError
 from flexcli.parts.requirements.as_printed import AsPrinted
-from flexcli.parts.requirements.response_range import compounded, over, uncertain_structure
+from flexcli.parts.requirements.response_range import compounded, uncertain_structure
 from flexcli.parts.response import random_outputs, sine_peaks
 from flexcli.parts.scene import LoadKind
-from flexcli.results import EXACT, ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind, error_of_ratio
 
 E, H, L, B = 114e9, 0.2e-3, 20e-3, 10e-3
 MATERIAL = {"name": "titanium", "youngs_modulus": "114 GPa", "poisson_ratio": 0.3,
@@ -174,11 +174,11 @@ def test_it_is_asked_of_cases_that_shake_and_are_named():
 def test_errors_of_a_product_and_of_a_ratio_have_their_worst_ends():
     one, other = ErrorRange(-0.1, 0.2), ErrorRange(-0.2, 0.25)
     assert compounded(one, other) == pytest.approx((0.9 * 0.8 - 1.0, 1.2 * 1.25 - 1.0))
-    assert over(one, other) == pytest.approx((0.9 / 1.25 - 1.0, 1.2 / 0.8 - 1.0))
-    for found in (compounded, over):
+    assert error_of_ratio(one, other) == pytest.approx((0.9 / 1.25 - 1.0, 1.2 / 0.8 - 1.0))
+    for found in (compounded, error_of_ratio):
         assert found(None, other) is found(one, None) is None
     # a number that may be nothing bounds no ratio
-    assert over(one, ErrorRange(-1.0, 0.0)) is None
+    assert error_of_ratio(one, ErrorRange(-1.0, 0.0)) is None
 
 
 def test_a_sine_without_damping_is_a_finding():
