@@ -198,6 +198,14 @@ def test_a_load_across_heated_blades_does_not_hide_that_they_buckle():
     assert buckling.factor_range[0] < 1.0
 
 
+def test_a_temperature_alone_is_followed_as_far_as_with_the_loads_beside_it():
+    """A factor beyond the share that is looked at without being asked for was never decided."""
+    text = BRIDGE.format(change=EULER / 40.0).replace("buckling: 1.5", "buckling: 12")
+    pulled = text.replace("hot: {", "hot: {load: {force: 1e-3 N, direction: 90 deg}, ")
+    buckling = next(check for check in flexcli.check(pulled).checks if check.name == "buckling")
+    assert buckling.verdict is Verdict.PASS
+
+
 def test_a_shift_at_the_end_of_a_stroke_counts_the_temperature():
     stroke = "stroke: {translation: 0.5 mm}"
     warm = "temperature: {uniform: 40 K, expansion: {moving: 0 1/K, ground: 0 1/K}}"

@@ -98,7 +98,8 @@ class Buckling(FactorRequirement):
         if ask.scene.temperature is not None:
             alone = ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}
             what = "the temperature" if alone else "temperature and loads"
-        heated = _by_temperature_alone(ask)
+        alone = _by_temperature_alone(ask)
+        heated = () if alone is None else self._far_enough(alone)
         for found in self._far_enough(ask):
             yield Limit(
                 self.label,
@@ -148,16 +149,15 @@ def _in_shares(scene: Scene) -> bool:
     return scene.in_space or scene.temperature is not None
 
 
-def _by_temperature_alone(ask: Ask) -> tuple[CriticalShare, ...]:
-    """Return the buckling of a temperature without the loads beside it, where there are both.
+def _by_temperature_alone(ask: Ask) -> Ask | None:
+    """Return what asks of a temperature without the loads beside it, where there are both.
 
     A load across blades bends them from the start, and no bifurcation lies on that path: the joint
     bends far instead where it would buckle without the load.
     """
     if ask.scene.temperature is None or ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}:
-        return ()
-    alone = ask._replace(scene=ask.scene.without_loads())
-    return ask.joint_model.critical_shares(alone)
+        return None
+    return ask._replace(scene=ask.scene.without_loads())
 
 
 def _with(heated: Sequence[CriticalShare], found: CriticalShare) -> ErrorRange | None:
