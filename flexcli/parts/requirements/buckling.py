@@ -98,8 +98,8 @@ class Buckling(FactorRequirement):
         if ask.scene.temperature is not None:
             alone = ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}
             what = "the temperature" if alone else "temperature and loads"
-        alone = _by_temperature_alone(ask)
-        heated = () if alone is None else self._far_enough(alone)
+        unloaded = _by_temperature_alone(ask)
+        heated = () if unloaded is None else self._far_enough(unloaded)
         for found in self._far_enough(ask):
             yield Limit(
                 self.label,
