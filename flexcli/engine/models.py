@@ -17,6 +17,10 @@ MODEL_SERIES = ("closed-form", "linear", "exact", "shell", "solid")
 """What judges, the cheapest first."""
 
 
+TOLD_BY_SHELLS = 0.01
+"""Width of the range of a stress (relative) that shells of a joint of the plane leave."""
+
+
 class NamedModel:
     """A model of a design by its name, made when it is first asked; it keeps what it solved.
 
@@ -55,12 +59,21 @@ class NamedModel:
         hinges where a pass hangs on what limbs weigh that nobody has weighed.
         """
         if self.name == "shell" and not self.design.geometry.in_space:
-            return requirement.by_shells
+            unsure = not requirement.is_of_stress or any(map(_is_unsure, known))
+            return requirement.by_shells and unsure
         if self.name == "solid":
             hangs = requirement.weighs(ask.scene) and all(map(_hangs_on_mass, known))
             unweighed = hangs and ask.geometry.has_limbs(ask.material.elastic, ask.sizes)
             return requirement.by_solids and not unweighed
         return requirement.may_be_decided(ask)
+
+
+def _is_unsure(check: Check) -> bool:
+    """Return whether a check is less sure than shells tell a stress of a joint of the plane."""
+    if check.factor_range is None:
+        return True
+    low, high = check.factor_range
+    return high - low > TOLD_BY_SHELLS * check.factor
 
 
 def _hangs_on_mass(check: Check) -> bool:
@@ -111,7 +124,8 @@ def _has_shells(design: DesignSpec) -> bool:
         scenes = design.scenes()
         asked = asked or any(each.moves and each.wrench is not None for each in scenes)
     if design.geometry.solids is None and design.geometry.has_plane:
-        asked = asked or bool(design.requirements.parasitic_shift)
+        of, is_known = design.requirements, design.material.poisson_ratio is not None
+        asked = asked or bool(of.parasitic_shift or (is_known and (of.yielding or of.fatigue)))
     drawn = design.geometry.in_space and design.geometry.has_blades
     return design.fixed_sizes() is not None and (drawn or asked) and not design.omitted
 

@@ -59,6 +59,7 @@ __all__ = [
     "straight_shares",
     "stress_places",
     "third_order",
+    "unsure_swing",
     "warping_change",
     "worst_misfit",
 ]
@@ -262,6 +263,15 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
     if bent > KNOWN * most:
         return found, None
     return found, whole + ErrorRange(-bent / most, bent / most)
+
+
+def unsure_swing(joint: SpaceJoint, scene: Scene) -> float:
+    """Return by what share restrained warping may change the largest stress of a stroke alone."""
+    body = joint.layout.body(joint.layout.drive.body)
+    swing = action(joint.assembly, Acting(scene.travel, np.zeros(6), body.point, np.zeros(3)))
+    found = Stresses(joint.assembly).of(swing.moved.forces[:, 0], swing.weights)
+    most = max(map(largest_stress, found))
+    return warping_change(found, most) if most else 0.0
 
 
 def _places(swing: BladeStress | None, still: BladeStress) -> Iterator[Place]:

@@ -88,7 +88,7 @@ def test_stress_drive_force_and_shift_of_a_stroke_are_a_plates(tmp_path):
         assert point.frequency > 0.0
 
 
-def test_a_joint_of_the_plane_has_no_shell_model_of_its_stress(tmp_path):
+def test_a_joint_of_the_plane_has_no_shell_model_of_its_stress_without_poissons_ratio(tmp_path):
     path = tmp_path / "flexure.yaml"
     path.write_text(
         "flexure: 1\nmodel: shell\nmaterial: {youngs_modulus: 200 GPa, yield_strength: 1 GPa}\n"

@@ -29,7 +29,7 @@ asks for one beyond the other."""
 LEAST_FACTOR = 0.1
 """A safety factor below which nobody asks: a stress ten times the strength."""
 
-BY_SHELLS = ("parasitic_shift", "deflection", "support")
+BY_SHELLS = ("yield", "fatigue", "parasitic_shift", "deflection", "support")
 """Requirements of which shells are asked in a joint of the plane."""
 
 EASY = 1e-6

@@ -97,7 +97,7 @@ class Corrected(JointModel):
         them makes more of it, as of their moments.
         """
         factor = self._factor(ask, QuantityKind.STIFFNESS)
-        widens = self._widening(ask) is not None
+        widens = self._widening(ask, QuantityKind.STIFFNESS) is not None
         most = larger(factor, flattest(_setting(ask)) if widens else 1.0) / factor - 1.0
         plain = float(self.inner.stiffness(ask)) if factor != 1.0 or most else 0.0
         flat = self._flattened(ask)
@@ -125,15 +125,14 @@ class Corrected(JointModel):
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
-        carried = self.inner.sag_carries(ask)
-        return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG, carried)
+        return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG)
 
     def sags(self, ask: Ask) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the sags in either sense, with what their size changes in them."""
         changes = self.inner.sag_changes(ask)
         sag, known = float(self.sag(ask)), self.inner.error(ask, QuantityKind.SAG)
         if known is not None:
-            known = self._left(ask, QuantityKind.SAG, known, self.inner.sag_carries(ask))
+            known = self._left(ask, QuantityKind.SAG, known)
         found = list[tuple[float, ErrorRange | None]]()
         for more, off in changes:
             of_change = ErrorRange(-off / (1.0 + more), off / (1.0 + more))
@@ -142,8 +141,7 @@ class Corrected(JointModel):
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the case's stroke [m]."""
-        carried = self.inner.shift_carries(ask)
-        return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT, carried)
+        return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stresses, those of the stroke corrected.
@@ -171,10 +169,10 @@ class Corrected(JointModel):
         """
         factor: Number = 1.0
         wide: Number = 0.0
-        scene, setting = ask.scene, _setting(ask)
-        if scene.push == 0.0 or not setting.largest_travel:
+        scene = ask.scene
+        if scene.push == 0.0 or not _setting(ask).largest_travel:
             return factor, wide
-        for effect in self._added(setting):
+        for effect in self._of_stress(ask):
             found = self._changes(ask, effect)
             both = found.get(QuantityKind.STRESS), found.get(QuantityKind.STIFFNESS)
             stress, stiffness = (None if each is None else each.value for each in both)
@@ -206,9 +204,9 @@ class Corrected(JointModel):
         value = (low + high) / 2.0
         return value, ErrorRange(low / value - 1.0 - loose, high / value - 1.0 + loose)
 
-    def _widening(self, ask: Ask) -> ModelEffect | None:
-        """Return the effect of wide blades where it corrects the model."""
-        carried = self.inner.covers | self.inner.always
+    def _widening(self, ask: Ask, kind: QuantityKind = QuantityKind.STRESS) -> ModelEffect | None:
+        """Return the effect of wide blades where it corrects a kind of number of the model."""
+        carried = self.inner.covers | self.inner.always | self.inner.carries(ask, kind)
         both = (e for e in self.effects if e.name not in carried)
         return next((e for e in both if e.name is EffectName.PLATE_WIDENING), None)
 
@@ -274,16 +272,11 @@ class Corrected(JointModel):
             if EffectName.THICK_NOTCH not in self.inner.always:  # solids have the peak itself
                 low = (1.0 + low) * (1.0 - ask.geometry.peaks_above(ask.sizes)) - 1.0
             return ErrorRange(low, high) if isfinite(low) and isfinite(high) else None
-        if kind is QuantityKind.SHIFT:
-            return self._left(ask, kind, found, self.inner.shift_carries(ask))
         if kind is not QuantityKind.SAG or not ask.scene.sags:
             return self._left(ask, kind, found)
         from flexcli.parts.strained_compliance import beyond_linear_sag
 
-        left, more = (
-            self._left(ask, kind, found, self.inner.sag_carries(ask)),
-            beyond_linear_sag(ask),
-        )
+        left, more = self._left(ask, kind, found), beyond_linear_sag(ask)
         heat = self._beside_sag(ask)
         if left is None or more is None or heat is None:
             return None
@@ -366,7 +359,7 @@ class Corrected(JointModel):
         Of loads is a mean that is not that of the stroke.
         """
         more = 1.0
-        for effect in self._added(_setting(ask)):
+        for effect in self._of_stress(ask):
             change = self._changes(ask, effect).get(QuantityKind.STRESS)
             if effect.spares_loads and change is not None:
                 more *= 1.0 + larger(change.value or 0.0, 0.0)
@@ -386,6 +379,7 @@ class Corrected(JointModel):
         Without one it is in the error of what widens.
         """
         carried = self.inner.covers | self.inner.always
+        carried |= self.inner.carries(ask, QuantityKind.STRESS)
         if not ask.scene.moves or EffectName.PLATE_WIDENING in carried:
             return ErrorRange(0.0, 0.0)
         shares = [0.0]
@@ -431,7 +425,7 @@ class Corrected(JointModel):
 
     def _growing(self, ask: Ask) -> Iterator[Change]:
         """Yield what effects that grow with the travel correct of a stress."""
-        for effect in self._added(_setting(ask)):
+        for effect in self._of_stress(ask):
             change = self._changes(ask, effect).get(QuantityKind.STRESS)
             if effect.grows_with_travel and change is not None:
                 yield change
@@ -444,6 +438,7 @@ class Corrected(JointModel):
         carried: frozenset[EffectName] = frozenset(),
     ) -> ErrorRange | None:
         """Return an error with what the effects leave that are not carried."""
+        carried |= self.inner.carries(ask, kind)
         ask = _asked(ask, kind)
         setting, inner = _setting(ask), self.inner.covers | self.inner.always
         missing, applied, beside, whole = self._missing(setting), [], [], True
@@ -497,9 +492,15 @@ class Corrected(JointModel):
         carried = self.inner.covers | self.inner.always
         return [e for e in self.effects if e.name not in carried and _is_told(e, setting)]
 
+    def _of_stress(self, ask: Ask) -> list[ModelEffect]:
+        """Return the effects that correct the stress of the inner model."""
+        carried = self.inner.carries(ask, QuantityKind.STRESS)
+        return [e for e in self._added(_setting(ask)) if e.name not in carried]
+
     def _factor(
         self, ask: Ask, kind: QuantityKind, carried: frozenset[EffectName] = frozenset()
     ) -> float:
+        carried |= self.inner.carries(ask, kind)
         ask = _asked(ask, kind)
         factor, setting = 1.0, _setting(ask)
         for effect in self._added(setting):

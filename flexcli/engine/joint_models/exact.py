@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.blade_weight import BladeWeights
 from flexcli.engine.joint_models.buckling import SETTLED, exact_critical, warm_shares
-from flexcli.engine.joint_models.face_stress import worst_of_stroke
+from flexcli.engine.joint_models.face_stress import PlateStresses, worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
     at_rest,
@@ -31,7 +31,7 @@ from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import POINTS
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.state import Equilibrium
-from flexcli.mechanics.stresses import beside_beam, blade_stress
+from flexcli.mechanics.stresses import BladeStress, beside_beam, blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, one_alone, states_of
 from flexcli.parts.effect_names import EffectName
@@ -222,9 +222,9 @@ class ExactModel(JointModel):
         """Return the error of what a temperature strains, which exact beams in space have."""
         return self._warm_sag(ask).error
 
-    def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
-        """Return what the springs in space and their error have, off the stroke."""
-        if ask.geometry.sags_along_stroke(ask.scene.axis):
+    def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
+        """Return what the springs in space and their error have of a sag off the stroke."""
+        if kind is not QuantityKind.SAG or ask.geometry.sags_along_stroke(ask.scene.axis):
             return frozenset()
         return frozenset({EffectName.PLATE_WIDENING, EffectName.CLAMP_COMPLIANCE})
 
@@ -355,10 +355,11 @@ class ExactModel(JointModel):
         state, scene = self.states(ask), ask.scene
         before, temperature, axes = state.coarser, scene.temperature, ask.geometry.axes
         change, most, found = 0.0, 0.0, list[EndStress]()
-        weights, off = BladeWeights.of(ask), 0.0
+        weights, off, plates = BladeWeights.of(ask), 0.0, self._plates(ask)
         for index, blade in enumerate(state.layout.blades):
             fine = blade_stress(state, blade.name, POINTS)
-            total, hinge, own = fine, beside_beam(blade, fine), 0.0
+            total, hinge = self.stress_along(ask, index, POINTS), beside_beam(blade, fine)
+            own = 0.0
             if hinge is not None:
                 total = total._replace(bending=total.bending + hinge[0])
             if weights is not None:
@@ -368,7 +369,8 @@ class ExactModel(JointModel):
                 )
                 own += weights.off(index, added, fine.axial, fine.bending, state.motions)
             faces = {"left": states_of(total.left), "right": states_of(total.right)}
-            wide = factors_of_states(ask, blade, fine) if scene.moves else None
+            is_wide = scene.moves and plates is None
+            wide = factors_of_states(ask, blade, fine) if is_wide else None
             found.extend(worst_of_stroke(ask, blade.name, faces, wide))
             here = larger(*(largest_of_each(np.abs(face)) for face in faces.values()))
             most = larger(most, here)
@@ -389,7 +391,18 @@ class ExactModel(JointModel):
         change += off
         if before is None or (most == 0.0 and change > 0.0):
             return found, inf
-        return found, (change / most if most else 0.0) + SAMPLED
+        own_off = SAMPLED if plates is None else SAMPLED + plates.unsure
+        return found, (change / most if most else 0.0) + own_off
+
+    def stress_along(self, ask: Ask, index: int, points: int) -> BladeStress:
+        """Return the stress along a blade in a case's states, at places on each of its pieces."""
+        state, plates = self.states(ask), self._plates(ask)
+        found = blade_stress(state, state.layout.blades[index].name, points)
+        return found if plates is None else plates.added(index, found)
+
+    def _plates(self, ask: Ask) -> PlateStresses | None:
+        """Return what plates add to the stress of beams: nothing that beams know."""
+        return None
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles at any motion that the case holds."""

@@ -1,18 +1,22 @@
-"""The exact model of a joint of the plane, at stroke by shells: support, deflections, shift."""
+"""The exact model of a joint of the plane, by shells where these tell more of it than beams."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from functools import partial
 
 from flexcli.engine.joint_models.exact import ExactModel, alone
+from flexcli.engine.joint_models.face_stress import PlateStresses
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.shell_shift import shift_by_shells
+from flexcli.engine.joint_models.shell_stress import by_plates
 from flexcli.engine.joint_models.space_deflection import deflections
 from flexcli.engine.joint_models.space_shell import SHELLS, SpaceShellModel
 from flexcli.engine.joint_models.space_stroke import support_at_stroke
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import Ask, JointModel, MisfitStress, Told
-from flexcli.results import ErrorRange
+from flexcli.parts.requirements import Ask, EndStress, JointModel, MisfitStress, Told
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["ExactWithShells"]
 
@@ -27,16 +31,34 @@ class ExactWithShells(ExactModel):
     def __init__(self, effects: Effects | None = None) -> None:
         super().__init__(effects)
         self._known_pairs = Remembered("shell", of_blades=True)
+        self._known_plates: Remembered[PlateStresses | None] = Remembered("shell", of_blades=True)
+        self._known_stresses = Remembered("shell", of_blades=True)
+        self._stresses_of_beams: Remembered[tuple[list[EndStress], float]]
+        self._stresses_of_beams = Remembered("exact", of_blades=True)
 
     def shares(self, other: JointModel) -> None:
         """Share the stress of beams as well."""
         super().shares(other)
         if type(other) is ExactModel:
-            self._known_stresses = other._known_stresses
+            self._stresses_of_beams = other._known_stresses
 
-    def shift_carries(self, ask: Ask) -> frozenset[EffectName]:
-        """Return what shells have in a shift and its error."""
-        return frozenset({EffectName.PLATE_WIDENING})
+    def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
+        """Return what shells have in a shift or a stress, and its error."""
+        if kind is QuantityKind.SHIFT:
+            return frozenset({EffectName.PLATE_WIDENING})
+        if kind is QuantityKind.STRESS and self._plates(ask) is not None:
+            return frozenset({EffectName.PLATE_WIDENING, EffectName.ANTICLASTIC})
+        return super().carries(ask, kind)
+
+    def _plates(self, ask: Ask) -> PlateStresses | None:
+        """Return what plates add to the stress of beams, where shells tell it."""
+        return self._known_plates.of("plates", ask, lambda: _by_plates(ask))
+
+    def _judged(self, ask: Ask) -> tuple[list[EndStress], float]:
+        if self._plates(ask) is None:
+            find = partial(self._judge_stress, ask)
+            return self._stresses_of_beams.of("stress", ask, find)
+        return super()._judged(ask)
 
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
         if ask.scene.temperature is not None or not ask.scene.moves:
@@ -60,3 +82,9 @@ class ExactWithShells(ExactModel):
     ) -> Iterator[tuple[Told, str]]:
         """Yield the largest stress of each missed seat, by shells."""
         return SpaceShellModel().misfit_stresses(ask, small)
+
+
+def _by_plates(ask: Ask) -> PlateStresses | None:
+    with suppress(NotAvailable):
+        return by_plates(ask)
+    return None

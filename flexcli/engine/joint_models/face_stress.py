@@ -1,19 +1,39 @@
 """Where along a blade the stress of a stroke is worst, from the stress at both of its ends."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.wide_under_force import StateFactors
+from flexcli.mechanics.stresses import BladeStress
 from flexcli.numerics.rows import number
 from flexcli.parts.requirements import Ask, EndStress
 from flexcli.parts.worst_places import worst_places
 
-__all__ = ["worst_of_stroke"]
+__all__ = ["PlateStresses", "worst_of_stroke"]
 
 Floats = NDArray[np.float64]
+
+
+class PlateStresses(NamedTuple):
+    """What plates add to the stress of a case's blades at start and end (states, blades, 2) [Pa].
+
+    ``bending`` has the sign of the moment, ``axial`` that of the pull; ``unsure`` is by what share
+    the largest stress, and the largest half of what a stroke changes, may be off.
+    """
+
+    bending: Floats
+    axial: Floats
+    unsure: float
+
+    def added(self, blade: int, found: BladeStress) -> BladeStress:
+        """Return the stress along a blade with what plates add, straight between its ends."""
+        share = found.s / found.s[:, -1:]
+        ends = self.bending[:, blade], self.axial[:, blade]
+        bending, axial = (x[:, :1] + (x[:, 1:] - x[:, :1]) * share for x in ends)
+        return found._replace(bending=found.bending + bending, axial=found.axial + axial)
 
 
 def worst_of_stroke(

@@ -123,9 +123,9 @@ class LinearModel(JointModel):
             return 1.0 / hanging(ask).found
         return ExactModel(self.effects).sag_stiffness(ask)
 
-    def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
-        """Return what the springs in space and their error have, off the stroke."""
-        return ExactModel(self.effects).sag_carries(ask)
+    def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
+        """Return what the springs in space and their error have of a sag off the stroke."""
+        return ExactModel(self.effects).carries(ask, kind)
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the box around the joint in space, and the bodies that have no outline."""

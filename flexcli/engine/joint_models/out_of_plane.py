@@ -238,6 +238,17 @@ class OutOfPlane(JointModel):
         except NotAvailable:
             return None
 
+    def swing_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of an amplitude where beams in space tell it."""
+        space = self._space
+        if space is None:
+            return None
+        if not ask.scene.across_by:
+            told = self._tilted_beams(ask)
+        else:
+            told = space if ask.scene.on_bodies else self._beams(ask)
+        return None if told is None else _on_roots(ask, told.swing_error(ask))
+
     def _with_tilt(
         self, ask: Ask, kind: QuantityKind, planar: ErrorRange | None
     ) -> ErrorRange | None:

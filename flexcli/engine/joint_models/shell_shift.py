@@ -29,7 +29,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements import Ask
 
-__all__ = ["shift_by_shells"]
+__all__ = ["LEVELS", "TOLERANCE", "check_thin", "narrowed", "shift_by_shells"]
 
 LEVELS, TOLERANCE = (FIRST_GUESS, 12, 16, 20, 24), 2e-3
 """Modes along a blade, and by how much forces and motions may differ from one to the next."""
@@ -109,7 +109,7 @@ def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[floa
     Sections of thick blades curl as plates between their own width and the effective one.
     """
     wide = _path(ask, layout, travel)
-    less = _path(ask, _narrowed(layout), travel)
+    less = _path(ask, narrowed(layout), travel)
     each = wide.shells / wide.beams, less.shells / less.beams
     widened, apart = sum(each) / 2.0, abs(each[0] - each[1]) / 2.0
     sheared = abs(abs(beams / wide.beams) - 1.0)
@@ -125,12 +125,18 @@ def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[floa
 
 def _upright(ask: Ask) -> Layout:
     """Return the joint, all its blades in one plane, where shells are known."""
-    geometry, elastic, nu = ask.geometry, ask.material.elastic, ask.material.poisson_ratio
+    layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
+    check_thin(ask, layout)
+    return replace(layout, blades=tuple(replace(blade, z=0.0) for blade in layout.blades))
+
+
+def check_thin(ask: Ask, layout: Layout) -> None:
+    """Raise :class:`NotAvailable` where thin shells were not held against solids of such blades."""
+    nu = ask.material.poisson_ratio
     if nu is None:
         raise NotAvailable("needs material.poisson_ratio for shells")
-    layout = geometry.layout(elastic, ask.sizes)
-    if geometry.joined_in or layout.guides or nu.value > MOST_POISSON:
-        raise NotAvailable("has no shift by shells: take --model exact")
+    if ask.geometry.joined_in or layout.guides or nu.value > MOST_POISSON:
+        raise NotAvailable("has no such number by shells: take --model exact")
     for blade in layout.blades:
         if not isinstance(blade.profile, Constant):
             raise NotAvailable("has blades of varying thickness, of which there are no shells")
@@ -138,10 +144,9 @@ def _upright(ask: Ask) -> Layout:
         thin = h <= THICKEST * l and h <= STOUTEST * b
         if not (thin and NARROWEST * l <= b <= WIDEST * (1.0 + ROUNDING) * l):
             raise NotAvailable("has blades of which no shells were held against solids")
-    return replace(layout, blades=tuple(replace(blade, z=0.0) for blade in layout.blades))
 
 
-def _narrowed(layout: Layout) -> Layout:
+def narrowed(layout: Layout) -> Layout:
     """Return a layout of blades of their effective widths."""
     blades = (
         replace(blade, b=float(effective_width(b=float(blade.b), h=float(blade.profile.h))))

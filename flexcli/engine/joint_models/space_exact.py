@@ -72,6 +72,9 @@ __all__ = ["SpaceExactModel", "beam_peaks", "beam_swings", "section_peaks"]
 
 Floats = NDArray[np.float64]
 
+DIAGONALS = np.array([1.0, -1.0, -1.0, 1.0])
+"""Signs of the stress of restrained warping at the corners of a section."""
+
 ROUGH = 0.02
 """By how much beams may bear too much that is not looked at further."""
 
@@ -88,6 +91,7 @@ class SpaceExactModel(SpaceLinearModel):
     def __init__(self) -> None:
         super().__init__()
         self._stands: Remembered[bool] = Remembered()
+        self._unsure: Remembered[tuple[ErrorRange | None, ErrorRange | None]] = Remembered()
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the error of its numbers: of its blades, and of their level."""
@@ -95,7 +99,7 @@ class SpaceExactModel(SpaceLinearModel):
         if kind is QuantityKind.SHIFT and (ask.scene.moves or warm):
             return self._shift_error(ask)
         if kind is QuantityKind.STRESS:
-            return self._stress_error(ask)
+            return self._stress_errors(ask)[0]
         if kind is QuantityKind.STIFFNESS and warm:
             own = super().error(ask, kind)
             try:
@@ -237,9 +241,24 @@ class SpaceExactModel(SpaceLinearModel):
     def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> float:
         """Return how unsure the largest stress of a state is besides [Pa].
 
-        It is of restrained warping, whose spread beams do not know.
+        It is of restrained warping, whose spread beams do not know: more or less of it in all
+        corners. Elsewhere it counts as far as it may make a corner the worst place.
         """
-        return WARPING_ERROR * max(float(np.max(each.warping)) for each in blade_stresses(state))
+        found = blade_stresses(state)
+        more, less = (
+            max(float(np.max(np.abs(section_peaks(each, share)))) for each in found)
+            for share in (WARPING_ERROR, -WARPING_ERROR)
+        )
+        return max(more - largest, largest - less)
+
+    def unsure_swing(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> float:
+        """Return by what share restrained warping may change the largest swing of a stroke."""
+        ends = blade_stresses(first), blade_stresses(last)
+        most, more, less = (
+            max(float(np.max(each)) for each in beam_swings(*ends, share).values())
+            for share in (0.0, WARPING_ERROR, -WARPING_ERROR)
+        )
+        return max(more - most, most - less) / most if most else 0.0
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the box around it by exact beams, and the bodies that have no outline."""
@@ -332,8 +351,17 @@ class SpaceExactModel(SpaceLinearModel):
         least = min(_shift(state) for state in states)
         return found + ErrorRange(-rest / least, rest / least)
 
-    def _stress_error(self, ask: Ask) -> ErrorRange | None:
-        """Return the error of the largest stress: of blades and level, and of the blades' weight.
+    def swing_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of the largest amplitude of a stroke."""
+        return self._stress_errors(ask)[1] if ask.scene.moves else None
+
+    def _stress_errors(self, ask: Ask) -> tuple[ErrorRange | None, ErrorRange | None]:
+        return self._unsure.of("stress", ask, lambda: self._find_stress_errors(ask))
+
+    def _find_stress_errors(self, ask: Ask) -> tuple[ErrorRange | None, ErrorRange | None]:
+        """Return the error of the largest stress, and that of the largest amplitude.
+
+        They are of blades and level, and of the blades' weight.
 
         That acts on the bodies; what it does between the ends of a blade counts as if it were
         largest where the stress is.
@@ -342,9 +370,9 @@ class SpaceExactModel(SpaceLinearModel):
         joint = joint_of(ask)
         beside = sum(_stress_of_weight(joint, each) for each in acting_groups(joint, ask.scene))
         beside += bent_by_gradient(joint, ask.scene)[0]
-        most, unsure, largest = 0.0, beside, 0.0
+        most, unsure, largest, swing = 0.0, beside, 0.0, 0.0
         if self.blades is BEAMS and _may_turn_aside(joint, ask.scene):
-            return None
+            return None, None
         try:
             for ends in self._loaded_ends(ask):
                 known = _most_off(
@@ -352,18 +380,20 @@ class SpaceExactModel(SpaceLinearModel):
                     lambda state: self.largest_stress(state)[0],
                 )  # fmt: skip
                 if known is None:
-                    return None
+                    return None, None
                 most = max(most, known)
+                if ask.scene.moves:
+                    swing = max(swing, self.unsure_swing(ends[0], ends[-1]))
                 for state in ends:
                     here = self.largest_stress(state)[0]
                     largest = max(largest, here)
                     unsure = max(unsure, beside + self.unsure_stress(state, here))
         except (NotAvailable, SolveError):
-            return None
-        most += unsure / largest
+            return None, None
         if self.blades is BEAMS:
             most += largest / ask.material.elastic.E
-        return ErrorRange(-most, most)
+        each = most + unsure / largest, most + max(swing, beside / largest)
+        return ErrorRange(-each[0], each[0]), ErrorRange(-each[1], each[1])
 
 
 def _may_turn_aside(joint: SpaceJoint, scene: Scene) -> bool:
@@ -598,18 +628,27 @@ def beam_peaks(stresses: Sequence[BladeStress]) -> dict[str, Floats]:
     return {blade.name: section_peaks(blade).ravel() for blade in stresses}
 
 
-def beam_swings(first: Sequence[BladeStress], last: Sequence[BladeStress]) -> dict[str, Floats]:
+def beam_swings(
+    first: Sequence[BladeStress], last: Sequence[BladeStress], warped: float = 0.0
+) -> dict[str, Floats]:
     """Return half of von Mises' stress of what changes in beams between two states [Pa].
 
-    The places are those of :func:`beam_peaks`; torsion and forces add up at each.
+    The places are those of :func:`beam_peaks`; torsion and forces add up at each. ``warped`` is the
+    share of restrained warping by which it is larger in all corners.
     """
-    return {one.name: _swing(one, other).ravel() for one, other in zip(first, last, strict=True)}
+    pairs = zip(first, last, strict=True)
+    return {one.name: _swing(one, other, warped).ravel() for one, other in pairs}
 
 
-def _swing(one: BladeStress, other: BladeStress) -> Floats:
+def _swing(one: BladeStress, other: BladeStress, warped: float) -> Floats:
     signed = (one.signed - other.signed) / 2.0
     thin, wide, twisted, faces, sides = np.moveaxis(signed, -1, 0)
-    axial, corner = (one.axial - other.axial) / 2.0, (one.corner - other.corner) / 2.0
+    axial = (one.axial - other.axial) / 2.0
+    corner = (one.corner - other.corner) / 2.0
+    if warped:
+        # of all that is along the corners of a blade only warping is alike across both diagonals
+        held = np.abs(corner @ DIAGONALS) / 4.0 if corner.shape[1] == 4 else 0.0 * axial
+        corner = _larger(corner, warped * held)
     around = np.ones(corner.shape[1])
     if len(around) == 2:  # a rod: around it bending is the largest somewhere, and so is shear
         bent, pushed = np.hypot(thin, wide), np.hypot(faces, sides)
@@ -626,20 +665,26 @@ def _swing(one: BladeStress, other: BladeStress) -> Floats:
     return _around(normal, *shears)
 
 
-def section_peaks(blade: BladeStress) -> Floats:
+def section_peaks(blade: BladeStress, warped: float = 0.0) -> Floats:
     """Return von Mises' stress of each section of a beam, at its corners, faces and sides [Pa].
 
     It has the sign of the normal stress; the shape is (places, 8), for a rod (places, 6).
+    ``warped`` is the share of restrained warping by which it is larger in all corners.
     """
     thin, wide = blade.signed[:, :2].T
     if blade.corner.shape[1] == 2:  # a rod: its extremes, wherever around it they are
         thin, wide = -blade.bend_thin, blade.bend_wide
     axial = blade.axial
     middles = axial - thin, axial + thin, axial + wide, axial - wide
-    normal = np.column_stack([blade.corner, *middles])
+    normal = np.column_stack([_larger(blade.corner, warped * blade.warping), *middles])
     turned = blade.shear
     whole = _around(normal, blade.edge * turned, turned + blade.faces, turned + blade.sides)
     return np.asarray(np.copysign(whole, normal))
+
+
+def _larger(corner: Floats, more: Floats) -> Floats:
+    """Return stresses at corners (places, corners) that are larger in size by so much (places,)."""
+    return np.copysign(np.maximum(np.abs(corner) + more[:, None], 0.0), corner)
 
 
 def _around(normal: Floats, corner: Floats, face: Floats, side: Floats) -> Floats:

@@ -19,7 +19,7 @@ from flexcli.mechanics.space.states import action
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel, Told
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_own_motion import own_frequency
 from flexcli.parts.space_states import (
@@ -29,6 +29,7 @@ from flexcli.parts.space_states import (
     motions,
     straight_shares,
     stress_places,
+    unsure_swing,
 )
 from flexcli.parts.strained_compliance import sag
 from flexcli.results import EXACT, ErrorRange, QuantityKind
@@ -70,6 +71,14 @@ class SpaceLinearModel(JointModel):
             return find() if find is not None else None
         except NotAvailable:
             return None
+
+    def swing_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of what a stroke alternates beside loads, which may hide its warping."""
+        known = self.error(ask, QuantityKind.STRESS)
+        if known is None or not ask.scene.moves or ask.scene.loads <= {LoadKind.STROKE}:
+            return None
+        off = unsure_swing(_joint(ask), ask.scene)
+        return known + ErrorRange(-off, off)
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion, all else free [N·m/rad or N/m]."""

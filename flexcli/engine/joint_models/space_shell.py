@@ -99,6 +99,10 @@ class SpaceShellModel(SpaceExactModel):
         smaller = max(float(np.max(np.abs(each))) for each in outside)
         return max(largest - smaller, twisted_corners(state) - largest)
 
+    def unsure_swing(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> float:
+        """Return nothing: shells know how their sections warp."""
+        return 0.0
+
 
 def _signed(state: SpaceEquilibrium, corner: float) -> dict[str, Floats]:
     """Return von Mises' stress at places outside corners of a size, signed as that along [Pa]."""

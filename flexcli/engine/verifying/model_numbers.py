@@ -46,7 +46,9 @@ class ModelNumbers:
 
     def __init__(self, joint_model: JointModel) -> None:
         self.joint_model = joint_model
-        self.inner = getattr(joint_model, "inner", joint_model)
+        self.inner = joint_model
+        while hasattr(self.inner, "inner"):
+            self.inner = self.inner.inner
         self.exact = self.inner if isinstance(self.inner, ExactModel) else ExactModel()
 
     def of(self, ask: Ask, kind: QuantityKind, value: Computed) -> Found:
@@ -161,8 +163,8 @@ class ModelNumbers:
         return PRINTED + found / abs(float(self.exact.parasitic_shift(ask)))
 
     def _stress_at(self, ask: Ask, place: StressPlace) -> float:
-        state = self.exact.states(ask)
-        found = blade_stress(state, place.stretch, 257)
+        names = [blade.name for blade in self.exact.states(ask).layout.blades]
+        found = self.exact.stress_along(ask, names.index(place.stretch), 257)
         face = (found.left if place.face == "left" else found.right)[0]
         if place.s is None:
             return float(np.abs(face).max())

@@ -256,12 +256,8 @@ class JointModel(ABC):
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
 
-    def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
-        """Return the effects in its stiffness along an acceleration, and its error."""
-        return frozenset()
-
-    def shift_carries(self, ask: Ask) -> frozenset[EffectName]:
-        """Return the effects in its parasitic shift and its error, besides those of its beams."""
+    def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
+        """Return the effects that a kind of number and its error have, beside those of all."""
         return frozenset()
 
     def sag(self, ask: Ask) -> Computed:
@@ -385,6 +381,10 @@ class JointModel(ABC):
 
     def swing(self, ask: Ask) -> Swing | None:
         """Return what is known of amplitudes beside loads that are added to the stress, if any."""
+        return None
+
+    def swing_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of the largest amplitude where it is not that of the largest stress."""
         return None
 
     @abstractmethod

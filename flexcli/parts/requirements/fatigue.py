@@ -26,6 +26,7 @@ class Fatigue(FactorRequirement):
     """
 
     label: ClassVar[str] = "fatigue"
+    by_shells: ClassVar[bool] = True
     by_solids: ClassVar[bool] = True
 
     mean_stress: Literal["goodman", "soderberg", "swt", "none"] = "goodman"
@@ -105,6 +106,9 @@ class Fatigue(FactorRequirement):
         swing = ask.joint_model.swing(ask)
         if swing is not None and plain and demand > 0.0:
             return self._beside_loads(stress, ask, strength, method, swing, demand)
+        of_swing = ask.joint_model.swing_error(ask)
+        if of_swing is not None:
+            return of_swing
         if not (ask.scene.directed and plain):
             return None
         if stress.is_at_face or axial <= 0.0 or demand <= 0.0:
