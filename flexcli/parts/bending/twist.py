@@ -42,7 +42,7 @@ class TwistedBars(Protocol):
         """Return the stress with that of the longitudinal fibres [Pa]."""
 
     def fibre_error(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> float:
-        """Return the error of what fibres add, over the stress without them [-]."""
+        """Return the error of what fibres add, over the stress with them [-]."""
 
 
 class Twist(Bending):

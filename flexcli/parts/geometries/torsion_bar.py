@@ -95,12 +95,12 @@ class TorsionBar(TorsionGeometry):
         along = super().fibre_stress(elastic, sizes, twist, free=free)
         corners = self._clamped_corners(elastic, sizes, twist, free=free)
         plain = max(self.end_stresses(elastic, sizes, twist).values())
-        uneven = min(UNEVEN * plain, max(along - plain, 0.0))
+        uneven = min(UNEVEN * along, max(along - plain, 0.0))
         low, found, high = (
             max(along + side * uneven, corners.plain + (1.0 + side * corners.error) * corners.rise)
             for side in (-1.0, 0.0, 1.0)
         )
-        return float(max(high - found, found - low) / plain)
+        return float(max(high - found, found - low) / found)
 
     def _clamped_corners(
         self, elastic: Elastic, sizes: Blade, twist: float, *, free: bool
