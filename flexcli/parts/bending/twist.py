@@ -8,10 +8,6 @@ from flexcli.parts.elastic import Elastic
 
 __all__ = ["EndErrors", "Twist", "TwistedBars"]
 
-UNEVEN = 0.05
-"""Relative change of stress in a strip with restrained ends, at most, as the fibres even out its
-rate of twist along the bar; no more than their own."""
-
 
 class EndErrors(NamedTuple):
     """Relative errors of stiffness and stress by ends that cannot warp [-]."""
@@ -22,10 +18,6 @@ class EndErrors(NamedTuple):
 
 class TwistedBars(Protocol):
     """The bars on one axis, as the effects of twist need them."""
-
-    @property
-    def is_restrained(self) -> bool:
-        """Return whether the clamps keep the section from warping."""
 
     @property
     def may_shorten(self) -> tuple[bool, ...]:
@@ -48,6 +40,9 @@ class TwistedBars(Protocol):
 
     def fibre_stress(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> Any:
         """Return the stress with that of the longitudinal fibres [Pa]."""
+
+    def fibre_error(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> float:
+        """Return the error of what fibres add, over the stress with them [-]."""
 
 
 class Twist(Bending):
@@ -107,7 +102,10 @@ class Twist(Bending):
         error = (high - low) / (high + low) + self.ratio
         of_section = self.bars.side_error(self.sizes) + ends.stress
         error += of_section
-        error += min(UNEVEN, value) * self.bars.is_restrained
+        error += max(
+            self.bars.fibre_error(self.elastic, self.sizes, self.theta, free=free)
+            for free in self.bars.may_shorten
+        )
         # fibres only add to a stress, whose own error is to either side
         sign = 0 if of_section else 1
         found["stress"] = Change(value, value + error, error, sign) if isfinite(error) else UNKNOWN

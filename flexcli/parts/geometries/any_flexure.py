@@ -26,7 +26,7 @@ FLEXURES = Kinds(
         "filleted-hinge": f"{_HERE}.notch:FilletedHinge",
         "hinged-stage": f"{_HERE}.hinged:HingedStage",
         "hinged-pivot": f"{_HERE}.hinged:HingedPivot",
-        "torsion-bar": f"{_HERE}.torsion:TorsionBar",
+        "torsion-bar": f"{_HERE}.torsion_bar:TorsionBar",
         "round-torsion-bar": f"{_HERE}.torsion:RoundTorsionBar",
         "torsion-star": f"{_HERE}.torsion:TorsionStar",
     }

@@ -1,4 +1,4 @@
-"""Torsion bars: a body turns about the axis of the bars that hold it."""
+"""Torsion bars on one axis that hold a body, and those of round and crossed section."""
 
 from abc import abstractmethod
 from collections.abc import Mapping
@@ -9,16 +9,12 @@ import numpy as np
 from pydantic import Field
 
 from flexcli.formulas import (
-    restrained_torsion,
     torsion_bar,
     torsion_fibres,
-    torsion_section,
     torsion_shapes,
 )
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.profile import Constant as Thickness
 from flexcli.formulas.quantity import Computed
-from flexcli.formulas.section import second_moment
 from flexcli.mechanics.space.layout import (
     Drive,
     Isotropic,
@@ -31,7 +27,6 @@ from flexcli.mechanics.space.layout import (
 )
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.twist import EndErrors, Twist
-from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import (
     GROUND,
@@ -43,7 +38,7 @@ from flexcli.parts.geometries.base import (
 )
 from flexcli.results import Value
 
-__all__ = ["RoundTorsionBar", "Section", "TorsionBar", "TorsionGeometry", "TorsionStar"]
+__all__ = ["NARROW_SIDE", "RoundTorsionBar", "Section", "TorsionGeometry", "TorsionStar"]
 
 Bars = Annotated[int, Field(strict=True, ge=1, le=1000)]
 
@@ -147,6 +142,11 @@ class TorsionGeometry(Geometry):
         """Return the largest twist per length [rad/m]."""
         return twist / sizes.l
 
+    def edge_shear(self, elastic: Elastic, sizes: Any, twist: float) -> Computed:
+        """Return the shear stress at the farthest fibres [Pa]."""
+        at_rate = self.rate(elastic, sizes, twist) * sizes.l
+        return self.section(sizes).sheared * self.shear(elastic, sizes, at_rate)
+
     def fibre_stress(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> Computed:
         """Return von Mises' equivalent stress with that of the long fibres, the worst place [Pa].
 
@@ -160,9 +160,13 @@ class TorsionGeometry(Geometry):
         edge = torsion_fibres.fibre_stress(square=section.edge, **at)
         middle = torsion_fibres.fibre_stress(square=self.thin(sizes) ** 2 / 4.0, **at)
         return np.maximum(
-            np.hypot(edge, sqrt(3.0) * section.sheared * shear),
+            np.hypot(edge, sqrt(3.0) * self.edge_shear(elastic, sizes, twist)),
             np.hypot(middle, sqrt(3.0) * shear),
         )
+
+    def fibre_error(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> float:
+        """Return none: twist and fibres are even along the bar."""
+        return 0.0
 
     def fibre_stiffening(
         self, elastic: Elastic, sizes: Any, twist: float, *, free: bool
@@ -239,137 +243,6 @@ class TorsionGeometry(Geometry):
             "h θ/l": self.thin(sizes) * travel / sizes.l,
             "r θ/l": far * travel / sizes.l,
         }
-
-
-class TorsionBar(TorsionGeometry):
-    """Torsion bar of rectangular section h × b; ``warping`` says what its clamps hold."""
-
-    dimensions: ClassVar[type[Any]] = Blade
-    labels: ClassVar[Mapping[str, str]] = {"h": "thickness", "l": "length of a bar", "b": "width"}
-    cards: ClassVar[tuple[Card, ...]] = (
-        *torsion_bar.CARDS,
-        *torsion_section.CARDS,
-        *restrained_torsion.CARDS,
-        *torsion_fibres.CARDS,
-    )
-    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST,)
-
-    kind: Literal["torsion-bar"]
-    h: Extent
-    """Thickness of the section, e.g. ``0.3 mm``."""
-    l: Extent
-    """Length of a bar, e.g. ``20 mm``."""
-    b: Extent
-    """Width of the section, e.g. ``3 mm``."""
-    warping: Literal["free", "restrained"] = "free"
-    """Whether the clamps keep the end sections flat, e.g. ``restrained``."""
-
-    def thin(self, sizes: Blade) -> Computed:
-        """Return the lesser of h and b [m]."""
-        return np.minimum(sizes.h, sizes.b)
-
-    def section(self, sizes: Blade) -> Section:
-        """Return that of a rectangle."""
-        h, b = sizes.h, sizes.b
-        square = h**2 + b**2
-        fourth = torsion_fibres.rectangle_fourth_moment(h, b)
-        return Section(h * b, square / 12.0, fourth, square / 4.0, NARROW_SIDE)
-
-    @property
-    def is_restrained(self) -> bool:
-        """Return what the spec says of the clamps, unless it leaves warping out."""
-        return self.warping == "restrained" and EffectName.WARPING not in self.omitted
-
-    def rate(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
-        """Return the twist per length, that at mid-length where the ends cannot warp [rad/m]."""
-        if not self.is_restrained:
-            return super().rate(elastic, sizes, twist)
-        h, l, b = sizes
-        found = restrained_torsion.restrained_stresses(
-            E=elastic.E, G=elastic.G, h=h, b=b, l=l, theta=twist
-        )
-        plain = self.shear(elastic, sizes, twist)
-        return np.maximum(found.shear / plain, 1.0) * twist / l
-
-    def polar_moment(self, sizes: Blade) -> Computed:
-        """Return that of a rectangle [m⁴]."""
-        return second_moment(sizes.h, sizes.b) + second_moment(sizes.b, sizes.h)
-
-    def torsion_constant(self, sizes: Blade) -> Computed:
-        """Return J by Saint-Venant's series [m⁴]."""
-        return torsion_section.torsion_constant(sizes.h, sizes.b)
-
-    def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
-        """Return the largest shear stress, at the middle of the broad sides [Pa]."""
-        h, l, b = sizes
-        factor = torsion_section.shear_factor(h, b)
-        return torsion_bar.shear_stress(
-            G=elastic.G, h=self.thin(sizes), l=l, theta=twist, factor=factor
-        )
-
-    def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
-        """Return the rotational stiffness [N·m/rad]."""
-        if not self.is_restrained:
-            return super().stiffness(elastic, sizes)
-        h, l, b = sizes
-        stiff = restrained_torsion.restrained_stiffness(E=elastic.E, G=elastic.G, h=h, b=b, l=l)
-        changed = self._restraint(elastic, sizes).stiffness.middle
-        return self.bars * stiff * (1.0 + changed)
-
-    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return von Mises' equivalent stress at mid-length and, where clamped, at the ends."""
-        if not self.is_restrained:
-            return super().end_stresses(elastic, sizes, travel)
-        h, l, b = sizes
-        found = restrained_torsion.restrained_stresses(
-            E=elastic.E, G=elastic.G, h=h, b=b, l=l, theta=travel
-        )
-        corners = found.normal * (1.0 + self._restraint(elastic, sizes).normal.middle)
-        return {"broad side": sqrt(3.0) * found.shear, "corners at the clamps": corners}
-
-    def _restraint(self, elastic: Elastic, sizes: Blade) -> restrained_torsion.RestraintError:
-        nu = elastic.E / (2.0 * elastic.G) - 1.0
-        return restrained_torsion.restraint_error(nu=np.maximum(nu, 0.0), **sizes._asdict())
-
-    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in; of clamps that hold it, the sides as well."""
-        found = super().indicators(sizes, travel)
-        if self.is_restrained:
-            found["l/b"] = sizes.l / np.maximum(sizes.h, sizes.b)
-        return found
-
-    def end_errors(self, sizes: Blade, nu: float | None) -> EndErrors:
-        """Return what blocks between rigid bodies showed; of the stress, where it is largest."""
-        if not self.is_restrained:
-            return EndErrors()
-        elastic = Elastic(1.0, 0.5 if nu is None else nu)
-        error = self._restraint(elastic, sizes)
-        left = error.normal.left
-        values = np.array(list(self.end_stresses(elastic, sizes, 1.0).values()))
-        low, high = (
-            float(np.max(values * (1.0 + np.array(ends))) / np.max(values)) - 1.0
-            for ends in ((error.shear.low, left.low), (error.shear.high, left.high))
-        )
-        return EndErrors(float(error.stiffness.around), max(-low, high))
-
-    def member(
-        self, name: str, start: Vector, end: Vector, elastic: Elastic, sizes: Blade, density: float
-    ) -> SpaceBlade:
-        """Return a strip, its h along x and its b along y."""
-        h, b = float(sizes.h), float(sizes.b)
-        width = (0.0, 1.0, 0.0) if h <= b else (1.0, 0.0, 0.0)
-        return SpaceBlade(
-            name, GROUND, MOVING, start, end, width, Thickness(min(h, b)), max(h, b),
-            Isotropic(float(elastic.E), float(elastic.G), density), warps=not self.is_restrained,
-        )  # fmt: skip
-
-    def volume(self, sizes: Blade) -> Computed:
-        """Return the volume of the bars [m³]."""
-        return self.bars * sizes.h * sizes.l * sizes.b
-
-    def ratios(self, sizes: Blade) -> dict[str, Computed]:
-        """Return l/h and b/h."""
-        return {"l/h": sizes.l / sizes.h, "b/h": sizes.b / sizes.h}
 
 
 class RoundSizes(NamedTuple):
