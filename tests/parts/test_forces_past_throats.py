@@ -63,6 +63,20 @@ def test_the_middle_of_wide_fillets_bears_more_of_a_force_across_as_of_a_moment(
     assert beams.factor_range[0] > 0.75 * solids.factor
 
 
+@pytest.mark.parametrize(("b", "within"), [("0.1 mm", 0.006), ("0.6 mm", 0.04), ("2 mm", 0.12)])
+def test_blunt_fillets_clamp_a_blade_that_is_narrow_against_their_length_hardly(b, within):
+    # r = 30 h; a clamp would raise the middle by 0.21, a tenth of it for each b/h
+    blunt = {"kind": "filleted-hinge", "h": "0.1 mm", "r": "3 mm", "l": "8 mm", "b": b}
+    beams, solids = (
+        checked(blunt, {"theta_z": "1 uN*m"}, {"yield": 1}, model, 0.3)
+        for model in ("exact", "solid")
+    )
+    low, high = beams.factor_range
+    assert low < solids.factor_range[1]
+    assert solids.factor_range[0] < high
+    assert 1.0 - low / beams.factor < within
+
+
 def test_a_moment_alone_stresses_the_throat_as_before():
     geometry = NOTCH | {"e": "0.4 mm", "b": "0.6 mm"}
     beams, solids = (
