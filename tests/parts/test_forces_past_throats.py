@@ -77,6 +77,28 @@ def test_blunt_fillets_clamp_a_blade_that_is_narrow_against_their_length_hardly(
     assert 1.0 - low / beams.factor < within
 
 
+PIVOT = {
+    "kind": "hinged-pivot", "e": "0.03 mm", "r": "1 mm", "b": "1 mm", "l": "6 mm", "p": "6 mm",
+    "half_angle": "40 deg",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("nu", [0.3, 0.45])
+@pytest.mark.parametrize(
+    "geometry",
+    [NOTCH | {"e": "20 um", "b": "0.15 mm"}, NOTCH | {"e": "0.2 mm", "b": "2 mm"}, PIVOT],
+    ids=["narrow", "wide", "pivot"],
+)
+def test_the_middle_of_a_throat_bears_more_of_a_force_along_it_as_in_solids(geometry, nu):
+    beams, solids = (
+        checked(geometry, {"x": "1 mN"}, {"yield": 1}, model, nu) for model in ("exact", "solid")
+    )
+    low, high = beams.factor_range
+    assert low < solids.factor < high
+    assert beams.factor == pytest.approx(solids.factor, rel=0.01)
+    assert high < 1.06 * low
+
+
 def test_a_moment_alone_stresses_the_throat_as_before():
     geometry = NOTCH | {"e": "0.4 mm", "b": "0.6 mm"}
     beams, solids = (
