@@ -63,6 +63,42 @@ def test_the_middle_of_wide_fillets_bears_more_of_a_force_across_as_of_a_moment(
     assert beams.factor_range[0] > 0.75 * solids.factor
 
 
+@pytest.mark.parametrize(("b", "within"), [("0.1 mm", 0.006), ("0.6 mm", 0.04), ("2 mm", 0.12)])
+def test_blunt_fillets_clamp_a_blade_that_is_narrow_against_their_length_hardly(b, within):
+    # r = 30 h; a clamp would raise the middle by 0.21, a tenth of it for each b/h
+    blunt = {"kind": "filleted-hinge", "h": "0.1 mm", "r": "3 mm", "l": "8 mm", "b": b}
+    beams, solids = (
+        checked(blunt, {"theta_z": "1 uN*m"}, {"yield": 1}, model, 0.3)
+        for model in ("exact", "solid")
+    )
+    low, high = beams.factor_range
+    assert low < solids.factor_range[1]
+    assert solids.factor_range[0] < high
+    assert 1.0 - low / beams.factor < within
+
+
+PIVOT = {
+    "kind": "hinged-pivot", "e": "0.03 mm", "r": "1 mm", "b": "1 mm", "l": "6 mm", "p": "6 mm",
+    "half_angle": "40 deg",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("nu", [0.3, 0.45])
+@pytest.mark.parametrize(
+    "geometry",
+    [NOTCH | {"e": "20 um", "b": "0.15 mm"}, NOTCH | {"e": "0.2 mm", "b": "2 mm"}, PIVOT],
+    ids=["narrow", "wide", "pivot"],
+)
+def test_the_middle_of_a_throat_bears_more_of_a_force_along_it_as_in_solids(geometry, nu):
+    beams, solids = (
+        checked(geometry, {"x": "1 mN"}, {"yield": 1}, model, nu) for model in ("exact", "solid")
+    )
+    low, high = beams.factor_range
+    assert low < solids.factor < high
+    assert beams.factor == pytest.approx(solids.factor, rel=0.01)
+    assert high < 1.06 * low
+
+
 def test_a_moment_alone_stresses_the_throat_as_before():
     geometry = NOTCH | {"e": "0.4 mm", "b": "0.6 mm"}
     beams, solids = (

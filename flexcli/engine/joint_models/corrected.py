@@ -11,7 +11,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
-from flexcli.parts.effects.plate import flattest, pulled
+from flexcli.parts.effects.plate import flattest, pulled, stretched
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import (
@@ -147,9 +147,13 @@ class Corrected(JointModel):
         """Return the stresses, those of the stroke corrected.
 
         A wide blade resists a curvature more than a beam; under a force along the stroke it is
-        curved less, and its moments and stresses are those of the force.
+        curved less, and its moments and stresses are those of the force. That of a force along it
+        is its largest across the width.
         """
         name, found = self.inner.stresses(ask)
+        if self._widening(ask) is not None:
+            along = stretched(_setting(ask)).value
+            found = [s._replace(axial=s.axial * along) for s in found]
         if not ask.scene.moves:
             factor, _ = self._of_push(ask)
             return name, [s._replace(mean=s.mean * factor) for s in found]
@@ -374,21 +378,26 @@ class Corrected(JointModel):
         return ErrorRange((1.0 / more - 1.0) * larger(shares), 0.0)
 
     def _of_pulled(self, ask: Ask) -> ErrorRange:
-        """Return what wide blades may have of the forces along them beside a stroke.
+        """Return what wide blades may have of the forces along them.
 
-        Without one it is in the error of what widens.
+        Without a stroke what widens has no share in that beside it: of the largest stress, that of
+        these forces is as unsure as they are, and the rest as what widens.
         """
-        carried = self.inner.covers | self.inner.always
-        carried |= self.inner.carries(ask, QuantityKind.STRESS)
-        if not ask.scene.moves or EffectName.PLATE_WIDENING in carried:
+        widening, setting = self._widening(ask), _setting(ask)
+        if widening is None or not (ask.scene.moves or _is_told(widening, setting)):
             return ErrorRange(0.0, 0.0)
-        shares = [0.0]
-        for stress in self.inner.stresses(ask)[1]:
+        shares, along, bent, largest = [0.0], 0.0, 0.0, LEAST_STRESS
+        for stress in self.stresses(ask)[1]:
             axial = number(abs(stress.axial))
             rest = number(abs(stress.amplitude)) + number(abs(stress.mean))
             shares.append(axial / larger(rest + axial, LEAST_STRESS))
-        off = pulled(_setting(ask)) * larger(shares)
-        return ErrorRange(-off, off)
+            along, bent = larger(along, axial), larger(bent, rest)
+            largest = larger(largest, number(abs(stress.largest)))
+        value, low, high, _ = stretched(setting)
+        share = larger(shares) if ask.scene.moves else along / largest
+        off = 0.0 if ask.scene.moves else pulled(setting) * bent / largest
+        low, high = (share * (each / value - 1.0) for each in (low, high))
+        return ErrorRange(low - off, high + off)
 
     def _of_forces(self, ask: Ask) -> ErrorRange:
         """Return what of the largest stress forces along wide blades leave, see plates.
@@ -442,6 +451,7 @@ class Corrected(JointModel):
         ask = _asked(ask, kind)
         setting, inner = _setting(ask), self.inner.covers | self.inner.always
         missing, applied, beside, whole = self._missing(setting), [], [], True
+        widening = self._widening(ask) if kind is QuantityKind.STRESS else None
         low = high = 1.0
         for effect in (*self.effects, *self.omitted):
             if kind not in effect.only or effect.indicator(setting) is None:
@@ -449,6 +459,8 @@ class Corrected(JointModel):
             change = self._changes(ask, effect).get(kind)
             if change is None:
                 continue
+            if not ask.scene.moves and effect is widening:
+                change = change._replace(error=0.0)  # by how much forces along blades have of it
             if effect not in missing or effect.name in carried:
                 beside.append(change)
             elif not _is_told(effect, setting):

@@ -161,6 +161,8 @@ class WideBlades(NamedTuple):
     [m]."""
     pulled: float = PULLED
     """Part of the change of stiffness by which the stress of forces along them may differ."""
+    stretched: Factor | None = None
+    """The largest stress of a force along a throat over its mean, where that is known."""
     path: WidePath | None = None
     """The path of the centre of a drawn layout, which tells the change of its shift."""
     uneven: float = 1.0

@@ -13,7 +13,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
 
-__all__ = ["PlateWidening", "flattest", "pulled", "wide_of"]
+__all__ = ["PlateWidening", "flattest", "pulled", "stretched", "wide_of"]
 
 LEADS = 1.5
 """Ratio of the shift to its leading term up to which both change alike."""
@@ -70,6 +70,19 @@ def pulled(setting: Setting) -> float:
     """Return by how much the stress of forces along wide blades may differ from beams' [-]."""
     wide = wide_of(setting)
     return 0.0 if wide is None else wide.pulled * (wide.stiffness.high - 1.0)
+
+
+def stretched(setting: Setting) -> Factor:
+    """Return the largest stress of a force along wide blades over that of beams, and its range."""
+    wide = wide_of(setting)
+    if (
+        wide is not None
+        and wide.stretched is not None
+        and setting.material.poisson_ratio is not None
+    ):
+        return wide.stretched
+    spread = pulled(setting)
+    return Factor(1.0, 1.0 - spread, 1.0 + spread)
 
 
 def flattest(setting: Setting) -> float:

@@ -58,9 +58,11 @@ CONCENTRATION: Concentration = "deep-notch"
 MASSIVE: Final = "massive"
 
 FILLETS_CLAMP = 0.1
-"""Share of the peak in the middle of a clamp that fillets have, over b/h, the whole of it at most:
-solids of b/h 1 to 30, l/h 20 and 50, r/h 0.5 to 7 had 0.09 over b/h in narrow blades, and up to
-0.9 of it in wide ones, ν = 0.34."""
+"""Share of the peak in the middle of a clamp that fillets have, over b/h, and over b/√(h r) where
+they are blunt: a clamp curls back over a length like b, and they give way over √(h r). The whole of
+it at most: solids of b/h 1 to 30, l/h 20 and 50, r/h 0.5 to 7 had 0.09 over b/h in narrow blades,
+and up to 0.9 of it in wide ones, ν = 0.34; r/h 2 to 100, b/h 0.7 to 20, ν 0.3 and 0.45 had 0.08
+over b/√(h r)."""
 
 SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of the stress"
 
@@ -472,7 +474,8 @@ class FilletedHinge(NotchGeometry):
         found = super().wide_blades(sizes, nu)
         if found is None:
             return None
-        share = smaller(FILLETS_CLAMP * number(sizes.b) / number(sizes.h), 1.0)
+        h, r, _, b = map(number, sizes)
+        share = smaller(FILLETS_CLAMP * b / larger(h, (h * r) ** 0.5), 1.0)
         peak = number(pure_bending_peak(b=sizes.b, l=sizes.l, poisson_ratio=nu))
         more, wider = share * (peak - 1.0), found.stiffness.high - 1.0
         high = larger(found.stress.high, 1.0 + more)

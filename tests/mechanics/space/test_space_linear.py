@@ -22,6 +22,8 @@ from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.formulas.rigid_motion import motion_at
 from flexcli.mechanics.linear import linear
+from flexcli.mechanics.solids.neck import Neck
+from flexcli.mechanics.solids.unit_loads import NeckUnderLoads
 from flexcli.mechanics.space.exact.equilibrium import solve
 from flexcli.mechanics.space.freedoms import freedoms
 from flexcli.mechanics.space.inertia import mass_matrix
@@ -272,6 +274,35 @@ def test_hinges_are_those_of_solids_within_what_is_told():
             assert np.all(ratio > 1.0 + springs.low - mesh), hinge
             assert np.all(ratio < 1.0 + springs.high + mesh), hinge
     assert known > 260
+
+
+@pytest.mark.parametrize(("e", "depth", "over", "nu"), [
+    (0.0006, 1.0, 1.5, 0.0), (0.0006, 1.0, 15.0, 0.45), (0.003, 0.3, 5.0, 0.45),
+    (0.003, 2.0, 4.0, 0.3), (0.003, 0.3, 90.0, 0.49),
+    (0.1, 1.0, 0.08, 0.3), (0.4, 1.0, 0.3, 0.45),
+])  # fmt: skip
+def test_sharp_notches_are_those_of_our_solids_within_what_is_told(e, depth, over, nu):
+    # sharper than CalculiX's, or thicker than wide; ``over`` is the width over √(e ρ)
+    b = over * (e / depth) ** 0.5
+    blade, solid = (
+        _hinge("notch", [e, depth], 2.0, b, nu),
+        NeckUnderLoads(Neck(e, depth, 2.0, b, 0.0, 0.0), 1.0, nu),
+    )
+    springs, scale = springs_of(blade), np.repeat([1e-3, 1e-9], 3)
+    softness, off = np.array([solid.compliance(k) for k in range(6)]).T
+    ratio = 200e9 * scale / softness / _about_the_middle(blade)
+    assert springs.is_known
+    assert np.all(ratio > 1.0 + springs.low - off)
+    assert np.all(ratio < 1.0 + springs.high + off)
+
+
+@pytest.mark.parametrize("spring", [0, 1, 4])
+def test_a_notch_without_widening_is_its_beam_the_more_the_sharper_it_is(spring):
+    # the throat gives way as √(ρ/e), what is beside it does not: one over the other vanishes
+    width = [springs_of(_hinge("notch", [e, 1.0], 2.0, 1.0, 0.0)) for e in (1e-2, 1e-4, 1e-6)]
+    low = np.array([each.low[spring] for each in width])
+    assert np.all(np.diff(low) > 0.0)
+    assert low[-1] > -0.011
 
 
 @pytest.mark.parametrize("r", [0.02, 0.3, 4.0])
