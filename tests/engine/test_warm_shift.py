@@ -103,7 +103,7 @@ STAR = {"kind": "star", "h": "0.1 mm", "l": "40 mm", "b": "2 mm", "p": "10 mm",
 
 
 def test_blades_of_their_own_moduli_share_what_does_not_fit_by_them():
-    """A body on spokes that shrink stands where their pulls balance: Σ k (n·u − δ) n = 0, k as E."""
+    """A body stands where the pulls of its spokes balance: Σ k (n·u − δ) n = 0, k as E."""
     cold = {"uniform": "-120 K", "gradient": {"x": "2000 K/m"},
            "expansion": {"ground": "0 1/K", "moving": "0 1/K"}}  # fmt: skip
     still = {"rotation": "1e-9 rad"}
