@@ -141,11 +141,16 @@ def guided_factor(
     return np.asarray((1.0 + Phi) / (1.0 / held + Phi * (1.0 - even / 6.0)))
 
 
-def held_growth(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
+def held_growth(
+    *, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike, h: ArrayLike = 0.0
+) -> Floats:
     """Return how much longer a blade grows for what its clamps keep it from growing across [-].
 
-    ``ν ρ`` with the ρ of ``axial_factor``: clamps that hold a strain across of ε lengthen a blade
-    by ν ρ ε l. By Betti's theorem that is the work of what keeps a stretched one from narrowing.
+    ``ν ρ`` with the ρ of ``axial_factor``, of a sheet: clamps that hold a strain across of ε
+    lengthen a blade by ν ρ ε l. By Betti's theorem that is the work of what keeps a stretched one
+    from narrowing. Those of a blade of a thickness h hold that too and make it longer by
+    ``ν ε (a b/(1 + x²/3) + c h)`` more, x = b/l, ``a = 0.013 + 0.085 (0.3 − ν)``,
+    ``c = 0.485 + 0.75 (ν − 0.3) − (0.083 + 0.33 (ν − 0.3)) h/b``.
 
     Parameters
     ----------
@@ -153,31 +158,43 @@ def held_growth(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Floa
         Width and length [m].
     poisson_ratio : array_like
         ν [-].
+    h : array_like
+        Thickness [m], of which the larger of both is the width; 0 is a sheet.
 
     Returns
     -------
     share : array
-        From 0 (narrow) to ν (wide) [-].
+        From 0 (narrow) to ν (wide) of a sheet [-].
 
     Notes
     -----
-    As exact as ``axial_factor``; clamps that hold different strains count by their mean.
+    A sheet is as exact as ``axial_factor``. A blade is within 4 % of solids of high order,
+    b/l ≤ 5, h/b from 0.02, h/l ≤ 0.6 and 0.1 ≤ ν ≤ 0.48; clamps that hold different strains count
+    by their mean.
 
     Examples
     --------
     >>> round(float(held_growth(b=0.5, l=1.0, poisson_ratio=0.3)), 3)
     0.039
+    >>> round(float(held_growth(b=0.5, h=0.05, l=1.0, poisson_ratio=0.3)), 3)
+    0.048
 
     References
     ----------
-    Derived here, from ``axial_factor``.
+    Derived here, from ``axial_factor`` and Ritz's method on solids between rigid clamps.
 
     """
-    nu = np.asarray(poisson_ratio, dtype=np.float64)
-    stiffer = axial_factor(b=b, l=l, poisson_ratio=nu)
+    nu, length = (np.asarray(each, dtype=np.float64) for each in (poisson_ratio, l))
+    one, other = (np.asarray(each, dtype=np.float64) for each in (b, h))
+    width, thick = np.maximum(one, other), np.minimum(one, other)
+    stiffer = axial_factor(b=width, l=length, poisson_ratio=nu)
+    over = nu - 0.3
+    a = (0.013 - 0.085 * over) / (1.0 + (width / length) ** 2 / 3.0)
+    c = 0.485 + 0.75 * over - (0.083 + 0.33 * over) * thick / width
+    held = np.where(thick > 0.0, nu * (a * width + c * thick) / length, 0.0)
     # 1/k = 1 − ν² ρ
-    with np.errstate(invalid="ignore"):
-        return np.where(nu > 0.0, (1.0 - 1.0 / stiffer) / nu, 0.0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(nu > 0.0, (1.0 - 1.0 / stiffer) / nu + held, 0.0)
 
 
 def _kept_from_narrowing(odds: Floats, poisson_ratio: ArrayLike) -> Floats:

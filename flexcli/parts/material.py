@@ -152,6 +152,7 @@ class Material(Part):
     _rough: float = PrivateAttr(0.0)
     _thick: tuple[float, float] = PrivateAttr((0.0, 0.0))
     _stiffer: float = PrivateAttr(1.0)
+    _differ: float = PrivateAttr(0.0)
     _is_uneven: bool = PrivateAttr(False)
     _skewed: float = PrivateAttr(0.0)
     _held: float = PrivateAttr(0.0)
@@ -321,7 +322,8 @@ class Material(Part):
 
         A crystal's shear modulus is not that of its Young's modulus and Poisson's ratio, which
         matters for torsion and shear, for all numbers ``in_space``; where ``is_directed``, number
-        and error include the direction. Blades that differ change a shift by an unknown amount.
+        and error include the direction. Blades that differ by their directions change a shift by an
+        unknown amount.
         Those that would twist as they bend, which their clamps may keep them from, are from as soft
         as their moduli say to as stiff as if they were held. ``thick`` is what
         :meth:`off_as_thick` tells.
@@ -329,6 +331,8 @@ class Material(Part):
         if self.is_uneven and kind is QuantityKind.SHIFT:
             return None
         off = thick + (self._spread - self._rough if is_directed else self._spread)
+        if kind is QuantityKind.SHIFT and not in_space:  # which has each blade's own modulus
+            off -= self._differ
         if not is_directed and (in_space or kind in OUT_OF_PLANE):
             off += self._sheared
         found = error + ErrorRange(-off, off) + self._twisting(kind) + self._drifted(kind)
@@ -397,6 +401,20 @@ class Material(Part):
         assert one is not None  # a spec without is refused
         return one * change
 
+    def stiffer(self, change: float, assembly: float) -> float:
+        """Return Young's modulus at a change of temperature over the material's own [-]."""
+        known = self.over_temperature
+        ratio = 1.0 if known is None else known.ratio("youngs_modulus", assembly + change, assembly)
+        return ratio / self._stiffer
+
+    def drift(self, one: float, other: float, assembly: float) -> float:
+        """Return what Young's modulus may differ between two changes beyond its points [-]."""
+        known = self.over_temperature
+        if known is not None and known.youngs_modulus is not None:
+            top = known.youngs_modulus.range[1] - assembly
+            one, other = max(one, top), max(other, top)
+        return MODULUS_DRIFT * abs(one - other)
+
     def at(self, assembly: float, coldest: float, hottest: float, clamps: float) -> "Material":
         """Return the material between two temperatures [K], its values being those at assembly.
 
@@ -433,8 +451,7 @@ class Material(Part):
         grown = max(abs(self.growth(T - assembly, assembly)) for T in ends) if self.expands else 0.0
         differ = (high - low) / (high + low)
         found._spread = self._spread + differ + SECTIONS * grown
-        found._stiffer = (low + high) / 2.0
-        found._is_uneven = self._is_uneven or differ > 0.0
+        found._stiffer, found._differ = (low + high) / 2.0, differ
         tabled: Collection[str] = () if known is None else known.given
         heat = max(0.0, warmest - assembly)
         lost = STRENGTH_LOSS * heat if heat <= WARM else 1.0

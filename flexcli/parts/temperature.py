@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from flexcli.formulas.profile import Constant
+from flexcli.formulas.profile import Constant, Filleted, Notch
 from flexcli.formulas.sheet_factors import held_growth
 from flexcli.mechanics.layout import Blade, Layout
-from flexcli.mechanics.mesh import column
+from flexcli.mechanics.mesh import column, single
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, SpaceRod, SpaceStar
 from flexcli.parts.base import Part, QuantityOf, spec_error
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.over_temperature import Kelvin
@@ -39,8 +39,37 @@ Coefficient = Annotated[float, QuantityOf("expansion")]
 ALONG_PIECE = np.array([[-1.0, 0.0, 1.0]])
 """Places along each piece of a blade where its thickness is sampled: its ends and its middle."""
 
-HELD_ERROR = 0.1
-"""Relative error of the lengthening of a blade by clamps that hold it across."""
+HELD_ERROR = 0.04
+"""Relative error of the lengthening of a blade by clamps that hold it across, see ``held_growth``;
+that of the sheet in a crystal is DIRECTED_ERROR."""
+
+DIRECTED_ERROR = 0.1
+"""Of a blade of a crystal or a sheet, the error of what holding its width makes."""
+
+DEEP = 0.4
+"""Largest throat of a notch over the height of its mouths; fillets on thicker blades are roots."""
+
+ROUND = 0.5, 2.5
+"""Least and largest length over depth of the half-ellipses of notches, of which solids were made.
+"""
+
+NOTCH_ERROR = 0.2
+"""Error of how much longer clamps make a notch, over the larger of both ends of ``_of_notch``.
+
+Solids of high order differ by 0.19 from them: throats of 0.03 and 0.35 of the mouths' height H,
+widths of 0.1 to 4 H, ν of 0 to 0.45, half-ellipses apart by up to 4 times their depth."""
+
+ROOT_ERROR = 0.12
+"""The same of blades with fillets at their roots, which are as high as the clamps there: solids
+were at most 0.11 longer, widths of 1.3 to 8 H."""
+
+VARYING_ERROR = 1.0, 2.0
+"""Of other thicknesses that vary, of which it is left out: of 0.15 + ν times the largest thickness,
+and of what holding the width of a sheet makes, of which solids of notches had at most 0.5 and 1.64.
+"""
+
+MIDDLE_NU = 0.25
+"""Poisson's ratio amid those from 0 to ½."""
 
 AnyLayout = TypeVar("AnyLayout", bound=Layout | SpaceLayout)
 
@@ -55,14 +84,46 @@ class Changes(NamedTuple):
 def held_share(blade: Blade | SpaceBlade | SpaceRod, nu: float) -> float:
     """Return the relative lengthening of a blade per strain across it that its clamps hold [-].
 
-    Where its thickness varies that is not known, and small: it is held in short stretches.
+    Of a notch it is amid what rigid blocks beside it make and what such as high as it is.
     """
     if isinstance(blade, SpaceRod) and not isinstance(blade, SpaceStar):
         return 0.0
-    if not isinstance(blade, SpaceStar) and not isinstance(blade.profile, Constant):
-        return 0.0
-    l = _length(blade)
-    return float(held_growth(b=blade.b, l=l, poisson_ratio=nu))
+    l, b, h = _length(blade), blade.b, 0.0
+    if not isinstance(blade, SpaceStar):
+        notch = _of_notch(blade, nu)
+        if notch is not None:
+            return sum(notch) / 2.0
+        if not _has_one_height(blade):
+            return 0.0
+        h = blade.profile.mouth(l)
+    return float(held_growth(b=b, h=h, l=l, poisson_ratio=nu))
+
+
+def _of_notch(blade: Blade | SpaceBlade, nu: float) -> tuple[float, float] | None:
+    """Return how much longer a notch is whose mouths are held across, over its length [-].
+
+    That is between rigid blocks, ``H (0.04 + 0.40 ν s/(s + 0.73)) + 1.41 ν ρ l``, and between such
+    as high as its mouths, ``0.116 H + 0.89 ν ρ l/(1 + 4.6 H²/b²)``: H is their height, s the length
+    over depth of its half-ellipses, ρ that of a sheet. None of others than solids were made of.
+    """
+    profile, l, s = blade.profile, _length(blade), 1.0
+    if isinstance(profile, Notch):
+        e, s = single(profile.e), l / (2.0 * single(profile.depth))
+    elif isinstance(profile, Filleted):
+        e = single(profile.h)
+    else:
+        return None
+    H, b, (least, most) = profile.mouth(l), single(blade.b), ROUND
+    if e > DEEP * H or not least <= s <= most:
+        return None
+    wide = float(held_growth(b=b, l=l, poisson_ratio=nu))
+    rigid = H / l * (0.04 + 0.40 * nu * s / (s + 0.73)) + 1.41 * wide
+    return rigid, 0.116 * H / l + 0.89 * wide / (1.0 + 4.6 * (H / b) ** 2)
+
+
+def _has_one_height(blade: Blade | SpaceBlade) -> bool:
+    """Return whether a blade is as thick all along, or but for fillets at its roots."""
+    return isinstance(blade.profile, Constant | Filleted)
 
 
 def held_across(layout: Layout | SpaceLayout) -> float:
@@ -97,25 +158,48 @@ def held_stress(
     return material.elastic.E * held_across(warm)
 
 
-def held_lengths(layout: Layout, nu: float) -> float:
-    """Return the error of the lengths of all blades by clamps that hold them across [m].
+def held_lengths(layout: Layout, material: Material) -> dict[str, float]:
+    """Return by how much the growth of each blade is unsure by clamps that hold it across [-].
 
-    It is a tenth of their lengthening, and the effect of holding their thickness too.
+    All of what any Poisson's ratio makes counts where it is not given; so does what holding the
+    thickness makes of a crystal or a sheet, which have another one there.
     """
-    doubt = 0.0
+    found = dict[str, float]()
     for blade in layout.blades:
-        l = _length(blade)
         own, first, second = (
-            float(column(strain)[0])
+            single(strain)
             for strain in (
                 layout.blade_growth[blade.name],
                 layout.body_growth[blade.first],
                 layout.body_growth[blade.second],
             )
         )
-        unsure = HELD_ERROR * held_share(blade, nu) * l + nu * _thickest(blade, l)
-        doubt += abs(own - (first + second) / 2.0) * unsure
-    return doubt
+        unsure = _unsure_share(blade, material)
+        if material.elastic.nu is None:
+            least, middle, most = (held_share(blade, nu) for nu in (0.0, MIDDLE_NU, 0.5))
+            unsure += max(middle - least, most - middle)
+        found[blade.name] = abs(own - (first + second) / 2.0) * unsure
+    return found
+
+
+def usual_nu(elastic: Elastic) -> float:
+    """Return Poisson's ratio; where the material gives none, amid all that it may be."""
+    return MIDDLE_NU if elastic.nu is None else elastic.nu
+
+
+def _unsure_share(blade: Blade, material: Material) -> float:
+    """Return the error of ``held_share`` of a blade of a known Poisson's ratio [-]."""
+    l, nu = _length(blade), material.elastic.most_nu
+    is_even, notch = isinstance(blade.profile, Constant), _of_notch(blade, nu)
+    if notch is not None and not material.is_directed:
+        rigid, soft = notch
+        return abs(rigid - soft) / 2.0 + NOTCH_ERROR * max(rigid, soft)
+    if _has_one_height(blade) and not material.is_directed:
+        return (HELD_ERROR if is_even else ROOT_ERROR) * held_share(blade, nu)
+    of_thick, of_wide = VARYING_ERROR
+    of_wide, thick = (DIRECTED_ERROR, nu) if is_even else (of_wide, 0.15 + nu)
+    wide = float(held_growth(b=single(blade.b), l=l, poisson_ratio=nu))
+    return of_thick * thick * _thickest(blade, l) / l + of_wide * wide
 
 
 def held_bending(layout: Layout, nu: float) -> float:
@@ -271,7 +355,7 @@ class Temperature(Part):
         for blade in layout.blades:
             own = material.growth(changes.blades[blade.name], self.assembly)
             held = own - (bodies[blade.first] + bodies[blade.second]) / 2.0
-            blades[blade.name] = own + held * held_share(blade, material.elastic.nu or 0.0)
+            blades[blade.name] = own + held * held_share(blade, usual_nu(material.elastic))
         if not isinstance(layout, SpaceLayout):
             return replace(layout, body_growth=bodies, blade_growth=blades)
         slopes, curl = np.array(self._slopes(axes)), {}
@@ -281,6 +365,23 @@ class Temperature(Part):
             x, y, z = (rate * slopes).tolist()
             curl[blade.name] = (x, y, z)
         return replace(layout, body_growth=bodies, blade_growth=blades, blade_curl=curl)
+
+    def stiffer(self, layout: AnyLayout, material: Material, axes: float) -> dict[str, float]:
+        """Return Young's modulus of each blade over that of ``material`` [-].
+
+        That is :meth:`of_blades`, between the coldest and the hottest of them.
+        """
+        changes = self.changes(layout, axes).blades
+        return {name: material.stiffer(T, self.assembly) for name, T in changes.items()}
+
+    def unlike(self, layout: AnyLayout, material: Material, axes: float) -> dict[str, float]:
+        """Return by how much the modulus of each blade may differ from the others' besides [-].
+
+        That is where nobody gave it over temperature.
+        """
+        changes = self.changes(layout, axes).blades
+        middle = (min(changes.values()) + max(changes.values())) / 2.0
+        return {name: material.drift(middle, T, self.assembly) for name, T in changes.items()}
 
     def across_thickness(self, layout: Layout, material: Material, axes: float) -> float:
         """Return the largest strain by which a blade's face would grow more than its middle [-].

@@ -23,6 +23,7 @@ from flexcli.parts.requirements import (
     MisfitStress,
     Told,
 )
+from flexcli.parts.requirements.warm_shift import combined
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -141,6 +142,8 @@ class Corrected(JointModel):
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the case's stroke [m]."""
+        if ask.scene.temperature is not None:
+            return self._warm_shift(ask)[0]
         return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
@@ -260,6 +263,11 @@ class Corrected(JointModel):
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the model's own error, and what the corrections and what they lack leave."""
+        if kind is QuantityKind.SHIFT and ask.scene.temperature is not None:
+            try:
+                return self._warm_shift(ask)[1]
+            except NotAvailable:
+                return None
         found = self.inner.error(ask, kind)
         if found is None:
             return None
@@ -285,6 +293,25 @@ class Corrected(JointModel):
         if left is None or more is None or heat is None:
             return None
         return left + heat + ErrorRange(-more, more)
+
+    def _warm_shift(self, ask: Ask) -> tuple[float, ErrorRange | None]:
+        """Return the shift at a temperature and its error: what is corrected is the stroke's share.
+
+        A material that leaves a shift unsure does so of that share, however small the whole is.
+        """
+        if not ask.scene.moves:
+            return _between(*combined(self.inner.warm_shift(ask)))
+        cold = ask._replace(scene=ask.scene.at_assembly())
+        own, warm = abs(float(self.parasitic_shift(cold))), self.inner.warm_shift(ask)
+        factor = own / warm.cold if warm.cold else 1.0
+        known = self.error(cold, QuantityKind.SHIFT) if warm.cold else EXACT
+        known = None if known is None else ask.doubted(known, QuantityKind.SHIFT)
+        bending = self.error(cold, QuantityKind.STIFFNESS)
+        if known is None or bending is None:
+            return combined(warm, factor=factor)[0], None
+        softer = bending.largest + abs(self._factor(cold, QuantityKind.STIFFNESS) - 1.0)
+        errors = {"cold_error": known.largest, "bending": number(softer)}
+        return _between(*combined(warm, factor=factor, **errors))
 
     def _beside_sag(self, ask: Ask) -> ErrorRange | None:
         """Return the error of a sag by what strains the joint besides.
@@ -535,6 +562,13 @@ def _with_weight(ask: Ask, critical: Critical) -> Critical:
         return critical._replace(error=None)
     more = weighed(ask) / ask.scene.force
     return critical._replace(error=error + ErrorRange(1.0 / (1.0 + more) - 1.0, 0.0))
+
+
+def _between(value: float, least: float, most: float) -> tuple[float, ErrorRange | None]:
+    """Return a value and its error by the sizes between which it is."""
+    if value == 0.0 or not isfinite(most):
+        return value, None
+    return value, ErrorRange(least / abs(value) - 1.0, most / abs(value) - 1.0)
 
 
 def _as_much(other: Number) -> ErrorRange:

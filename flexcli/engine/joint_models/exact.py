@@ -20,11 +20,11 @@ from flexcli.engine.joint_models.joint_states import (
 )
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.states_beside import states_beside, trail_of
+from flexcli.engine.joint_models.warm_shift import Shifts, warm_shift
 from flexcli.engine.joint_models.wide_under_force import factors_of_states
 from flexcli.engine.planning.coverage import COVERAGE, covered
 from flexcli.formulas.blade_spring import Warping
 from flexcli.formulas.quantity import Computed
-from flexcli.mechanics.demand import Held as Motions
 from flexcli.mechanics.equilibrium import LEVELS
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
@@ -49,7 +49,8 @@ from flexcli.parts.requirements import (
     Told,
 )
 from flexcli.parts.requirements.closed_form import across_width
-from flexcli.parts.temperature import held_bending, held_lengths, sheared_across
+from flexcli.parts.requirements.warm_shift import WarmShift, combined
+from flexcli.parts.temperature import held_bending, sheared_across
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -103,12 +104,13 @@ class ExactModel(JointModel):
         self._known_pairs: Remembered[tuple[float, float]] = Remembered("exact", of_blades=True)
         self._known_critical: Remembered[tuple[Critical, ...]] = Remembered(of_blades=True)
         self._known_sags: Remembered[Told] = Remembered()
+        self._known_warm: Remembered[WarmShift] = Remembered(of_blades=True)
 
     def shares(self, other: JointModel) -> None:
         """Share the equilibria of beams, which other exact models have as well."""
         if isinstance(other, ExactModel):
             self._known_trails, self._known_states = other._known_trails, other._known_states
-            self._known_critical = other._known_critical
+            self._known_critical, self._known_warm = other._known_critical, other._known_warm
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the solver's own error: by how much its last two levels of nodes differ.
@@ -316,25 +318,30 @@ class ExactModel(JointModel):
         return self._known_pairs.of("shift", ask, lambda: self._settled_shift(ask))
 
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
-        scene = ask.scene
-        if scene.temperature is None:
+        if ask.scene.temperature is None:
             ask = alone(ask)
             return _worst_shift(self.states(ask), ask)
-        free: Held = None, None, 0.0 if ask.geometry.is_guided else None
-        reach = scene.travel + scene.mean_travel
-        held = [ask.geometry.held(end) for end in (reach, -reach)] if scene.moves else [free]
-        # what the temperature bends is not the same at both ends
-        ends = (self._shift_at(ask, each) for each in held)
-        shift, error = max(ends, key=lambda found: abs(found[0]))
-        doubt = held_lengths(warmed(ask), ask.material.elastic.most_nu)
-        return shift, error + (doubt / abs(shift) if shift else inf)
+        shift, least, most = combined(self.warm_shift(ask))
+        return shift, max(1.0 - least / abs(shift), most / abs(shift) - 1.0) if shift else inf
 
-    def _held(self, layout: Layout, held: Motions) -> Equilibrium:
-        effects = blades_of(layout, self.effects)
-        return solved(layout, held, effects=effects, tolerance=self.tolerance, levels=self.levels)
+    def warm_shift(self, ask: Ask) -> WarmShift:
+        """Return what stroke and heat make of the shift, by beams."""
+        return self._known_warm.of("warm shift", ask, lambda: warm_shift(ask, self._shifts_of(ask)))
 
-    def _shift_at(self, ask: Ask, held: Held) -> tuple[float, float]:
-        return _worst_shift(self._held(warmed(ask), {MOVING: held}), ask)
+    def _shifts_of(self, ask: Ask) -> Shifts:
+        """Return how the shifts of layouts are found that are held somehow."""
+
+        def find(layout: Layout, held: Held) -> tuple[Floats, Floats]:
+            state = solved(
+                layout, {MOVING: held}, effects=blades_of(layout, self.effects),
+                tolerance=self.tolerance, levels=self.levels,
+            )  # fmt: skip
+            shifts = _moved_off(state, ask)
+            if state.coarser is None:
+                return shifts, np.full_like(shifts, inf)
+            return shifts, shifts - _moved_off(state.coarser, ask)
+
+        return find
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""
@@ -453,10 +460,16 @@ def _of_worst(shifts: Floats, worst: NDArray[np.intp]) -> float:
 
 def shifts_of(state: Equilibrium, ask: Ask) -> Floats:
     """Return the shift of a pivot's centre, or a stage's point along its blades (states,) [m]."""
+    x, y = _moved_off(state, ask).T
+    return np.asarray(np.copysign(np.hypot(x, y), x))
+
+
+def _moved_off(state: Equilibrium, ask: Ask) -> Floats:
+    """Return how far a pivot's centre is off, of a stage along its blades, towards −x, −y [m]."""
     if ask.geometry.motion == "translation":
-        return -point_motion(state, MOVING, state.layout.body(MOVING).point)[:, 0]
-    x, y = point_motion(state, MOVING, (0.0, 0.0)).T
-    return np.asarray(np.copysign(np.hypot(x, y), -x))
+        moved = -point_motion(state, MOVING, state.layout.body(MOVING).point)
+        return np.asarray(moved * [1.0, 0.0])
+    return np.asarray(-point_motion(state, MOVING, (0.0, 0.0)))
 
 
 def driven_stiffness(state: Equilibrium, ask: Ask) -> Floats:

@@ -61,7 +61,9 @@ class ExactWithShells(ExactModel):
         return super()._judged(ask)
 
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
-        if ask.scene.temperature is not None or not ask.scene.moves:
+        if ask.scene.temperature is not None:  # shells are asked for what the stroke makes of it
+            return super()._settled_shift(ask)
+        if not ask.scene.moves:
             raise NotAvailable("has no shift by shells but of a stroke: take --model exact")
         return shift_by_shells(alone(ask))
 

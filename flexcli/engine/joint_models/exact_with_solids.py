@@ -31,6 +31,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress
+from flexcli.parts.requirements.warm_shift import WarmShift
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import acting_across, changed_across
 from flexcli.parts.worst_places import worst_places
@@ -353,6 +354,10 @@ class ExactWithSolids(ExactModel):
         return self._known_solids.of("solids", ask, lambda: _solids(ask))
 
     def parasitic_shift(self, ask: Ask) -> Computed:
+        """Refuse: solids at rest do not move off their path."""
+        raise NotAvailable("has no shift by solids: take --model exact")
+
+    def warm_shift(self, ask: Ask) -> WarmShift:
         """Refuse: solids at rest do not move off their path."""
         raise NotAvailable("has no shift by solids: take --model exact")
 

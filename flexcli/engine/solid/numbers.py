@@ -143,8 +143,8 @@ class SolidNumbers:
             return self._shift_of(self.states(), 1)
         if not scene.moves:
             return self._shift_of(self._warm_rest(), 0)
-        reach = scene.travel + scene.mean_travel
-        state = self._solve(warmed(self.ask), self._held_at(np.array([reach, -reach])), ())
+        ends = np.array(scene.stroke_ends)
+        state = self._solve(warmed(self.ask), self._held_at(ends), ())
         return max((self._shift_of(state, index) for index in (0, 1)), key=abs)
 
     def _shift_of(self, state: SolidStates, index: int) -> float:

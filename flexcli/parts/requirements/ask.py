@@ -12,7 +12,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import WARM, Scene
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
     from flexcli.parts.actuator import Actuator
     from flexcli.parts.effects import Setting
+    from flexcli.parts.requirements.warm_shift import WarmShift
 
 __all__ = [
     "MOST_SHARE",
@@ -259,6 +260,10 @@ class JointModel(ABC):
     def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
         """Return the effects that a kind of number and its error have, beside those of all."""
         return frozenset()
+
+    def warm_shift(self, ask: Ask) -> "WarmShift":
+        """Return what stroke and heat make of the parasitic shift, by beams."""
+        raise NotAvailable(WARM)
 
     def sag(self, ask: Ask) -> Computed:
         """Return how far the moving body sags along the case's acceleration [m]."""

@@ -1,0 +1,116 @@
+"""Parasitic shift of a joint of the plane at a temperature by beams: of stroke, heat, and both."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine.joint_models.joint_states import layout_of, warmed
+from flexcli.formulas.plate_factors import bound
+from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.mesh import column
+from flexcli.numerics.rows import one_alone
+from flexcli.parts.geometries.base import Held
+from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements.warm_shift import EndShift, WarmShift
+from flexcli.parts.temperature import ALONG_PIECE, held_bending, held_lengths
+
+__all__ = ["Shifts", "warm_shift"]
+
+Floats = NDArray[np.float64]
+
+Shifts = Callable[[Layout, Held], tuple[Floats, Floats]]
+"""Shifts (designs, 2) of a layout that is held so, and by how much they are not settled [m]."""
+
+DIGITS = 9
+"""Of sizes that count as the same."""
+
+
+def warm_shift(ask: Ask, shifts: Shifts) -> WarmShift:
+    """Return the shifts of a case with a temperature, alone with its stroke."""
+    one_alone()
+    scene, geometry, nu = ask.scene, ask.geometry, ask.material.elastic.most_nu
+    assert scene.temperature is not None
+    drawn, grown = layout_of(ask), warmed(ask)
+    layout = _wider(grown, scene.temperature.stiffer(grown, ask.material, geometry.axes))
+    plates, held = float(bound(nu)), held_bending(grown, nu)
+    alike, unsure = _alike(drawn.blades), held_lengths(grown, ask.material)
+    free: Held = None, None, 0.0 if geometry.is_guided else None
+    rest = geometry.held(0.0) if scene.moves else free
+    heat, off = _with_rest(*shifts(_variants(layout, alike, unsure, plates), rest))
+    if not scene.moves:
+        return WarmShift((EndShift(0.0 * heat, heat, 0.0 * heat, off),), plates, held)
+    # what a modulus may differ by is of the stroke's share as well
+    unlike = _drifted(layout, scene.temperature.unlike(grown, ask.material, geometry.axes))
+    ends = list[EndShift]()
+    for travel in dict.fromkeys(scene.stroke_ends):
+        at = geometry.held(travel)
+        cold, unsettled = _with_rest(*shifts(drawn, at))
+        warm, drifted = _with_rest(*shifts(unlike, at))
+        ends.append(EndShift(cold, heat, warm - cold - heat, off + unsettled + drifted))
+    return WarmShift(tuple(ends), plates, held)
+
+
+def _with_rest(shifts: Floats, unsettled: Floats) -> tuple[Floats, float]:
+    """Return the shift of the first design, and by how much the others leave it unsure [m]."""
+    off = np.linalg.norm(shifts[1:] - shifts[0], axis=-1).sum()
+    return shifts[0], float(off + np.linalg.norm(unsettled[0]))
+
+
+def _wider(layout: Layout, factors: Mapping[str, float | Floats]) -> Layout:
+    """Return a layout of one modulus whose blades are that much stiffer in the plane.
+
+    There a stiffness of any kind is in proportion to the width as to the modulus.
+    """
+    blades = (replace(blade, b=blade.b * factors[blade.name]) for blade in layout.blades)
+    return replace(layout, blades=tuple(blades))
+
+
+def _variants(
+    layout: Layout, alike: Sequence[Sequence[str]], unsure: Mapping[str, float], plates: float
+) -> Layout:
+    """Return a layout as it is, and as it may be: a design for each kind of blade and change.
+
+    What is not known of alike blades is the same of each. Blades that are not alike are as plates
+    differently much, which counts where they have to share what does not fit.
+    """
+    changes = len(alike) if len(alike) > 1 else 0
+    designs = 1 + len(alike) + changes
+    growth = {name: np.full(designs, column(g)[0]) for name, g in layout.blade_growth.items()}
+    width = {blade.name: np.ones(designs) for blade in layout.blades}
+    for index, names in enumerate(alike):
+        for name in names:
+            beside = growth[name][0] - _of_clamps(layout, name)
+            growth[name][1 + index] += np.copysign(unsure[name], beside)
+            if changes:
+                width[name][1 + len(alike) + index] += plates
+    return replace(_wider(layout, width), blade_growth=growth)
+
+
+def _drifted(layout: Layout, unlike: Mapping[str, float]) -> Layout:
+    """Return a layout as it is, and with each blade as stiff as it may be."""
+    names = [name for name, share in unlike.items() if share]
+    width = {blade.name: np.ones(1 + len(names)) for blade in layout.blades}
+    for index, name in enumerate(names):
+        width[name][1 + index] += unlike[name]
+    return _wider(layout, width) if names else layout
+
+
+def _of_clamps(layout: Layout, name: str) -> float:
+    """Return the mean strain of what clamps a blade."""
+    blade = next(each for each in layout.blades if each.name == name)
+    ends = (column(layout.body_growth[body])[0] for body in (blade.first, blade.second))
+    return float(sum(ends)) / 2.0
+
+
+def _alike(blades: Iterable[Blade]) -> list[list[str]]:
+    """Return the names of blades of the same sizes, together."""
+    found = dict[tuple[str, ...], list[str]]()
+    for blade in blades:
+        l = float(np.hypot(*np.subtract(blade.end, blade.start)))
+        thick = (np.ravel(each.thickness(ALONG_PIECE)) for each in blade.profile.pieces(l))
+        sizes = (l, float(column(blade.b)[0]), *np.concatenate(list(thick)).tolist())
+        key = (type(blade.profile).__name__, *(f"{size:.{DIGITS}g}" for size in sizes))
+        found.setdefault(key, []).append(blade.name)
+    return list(found.values())
