@@ -24,7 +24,7 @@ NEAR = 0.03
 
 LEAST, LONGEST = 1e-15, 1.0
 """Lengths [m]: a motion below the one is rounding, of what does not move by symmetry; nobody
-asks for one beyond the other."""
+asks for one beyond the other, nor beyond the length of what bends."""
 
 LEAST_FACTOR = 0.1
 """A safety factor below which nobody asks: a stress ten times the strength."""
@@ -450,7 +450,8 @@ def near_its_limits(seed, kinds=KINDS, near=NEAR, *, alone=False):
             return Tried(found.kind, spec, first, None, sin=NOT_ASKED)
     blocks = {}
     for name, easy in found.easy.items():
-        rows = [row for row in said.rows if _key(row["name"], found.easy) == name and _asks(row)]
+        of_name = (row for row in said.rows if _key(row["name"], found.easy) == name)
+        rows = [row for row in of_name if _asks(row, _longest(found.spec["geometry"]))]
         if rows:
             row = rows[int(rng.integers(len(rows)))]
             apart = (1.0 + near) ** rng.choice([-1.0, 1.0])
@@ -520,12 +521,18 @@ def _place(row):
     return row["name"], row["case"]
 
 
-def _asks(row):
+def _longest(geometry):
+    """Return the length of a joint's blades or hinges, where it is stated [m]."""
+    stated = (geometry[key] for key in ("l", "r") if key in geometry)
+    return max((float(length.split()[0]) for length in stated), default=LONGEST)
+
+
+def _asks(row, longest):
     """Return whether a row has a number that a requirement can be set near to."""
     factor, required = row["factor"], row["required"]
     if factor is None or required is None:
         return False
-    if row["unit"] == "m" and not LEAST <= row["demand"] <= LONGEST:
+    if row["unit"] == "m" and not LEAST <= row["demand"] <= longest:
         return False
     if required == EASY and factor < LEAST_FACTOR:
         return False

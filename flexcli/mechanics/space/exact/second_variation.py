@@ -25,6 +25,7 @@ from flexcli.mechanics.space.exact.mesh import Mesh
 from flexcli.mechanics.space.exact.outer_forces import apply_force, apply_spring
 from flexcli.mechanics.space.exact.rotation import matrix_of, moved, skew
 from flexcli.mechanics.space.exact.section_law import Curled
+from flexcli.numerics.symmetric import solved_and_counted
 
 __all__ = [
     "BeamVariation",
@@ -223,8 +224,8 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
     B = B / scale[:, None]
     # the moments take part with minus their compliance, the closing of δτ with none
     concave = 3 * K - int(np.sum(law.compliance < 0.0)) + len(runs) * warped
-    negative = int(np.sum(np.linalg.eigvalsh(A) < 0.0)) - concave
-    return BeamVariation(H[np.ix_(outer, outer)] - B.T @ np.linalg.solve(A, B), negative)
+    followed, negative = solved_and_counted(A, B)
+    return BeamVariation(H[np.ix_(outer, outer)] - B.T @ followed, negative - concave)
 
 
 def _weighted(left: Floats | None, w: Floats, blocks: Floats, right: Floats) -> Floats:
