@@ -36,7 +36,7 @@ def solved_and_counted(A: Floats, b: Floats, large: int = LARGE) -> tuple[Floats
     Raises
     ------
     numpy.linalg.LinAlgError
-        When A is singular.
+        When A is singular or not finite.
 
     Examples
     --------
@@ -54,6 +54,8 @@ def solved_and_counted(A: Floats, b: Floats, large: int = LARGE) -> tuple[Floats
         return np.asarray(np.linalg.solve(A, b)), int(np.sum(np.linalg.eigvalsh(A) < 0.0))
     from scipy.linalg.lapack import dsytrf, dsytrf_lwork, dsytrs  # of large ones only
 
+    if not np.isfinite(A).all():
+        raise np.linalg.LinAlgError("a matrix that is not finite")
     n = A.shape[0]
     room, _ = dsytrf_lwork(n, lower=1)
     factors, pivots, info = dsytrf(np.asfortranarray(A), lower=1, lwork=int(room))

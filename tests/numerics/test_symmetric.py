@@ -26,6 +26,7 @@ def test_a_factorisation_counts_and_solves_as_eigenvalues_do(n, seed, hollow):
 
 
 @pytest.mark.parametrize("large", [1, 9])
-def test_a_singular_matrix_is_said_to_be(large):
+@pytest.mark.parametrize("number", [0.0, np.nan])
+def test_a_matrix_that_is_singular_or_not_finite_is_said_to_be(large, number):
     with pytest.raises(np.linalg.LinAlgError):
-        solved_and_counted(np.zeros((3, 3)), np.ones((3, 1)), large)
+        solved_and_counted(np.full((3, 3), number), np.ones((3, 1)), large)
