@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from math import sqrt
 
 from flexcli.engine.admissible_stroke import admissible_stroke
+from flexcli.engine.models import NamedModel
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.material import Material
@@ -181,6 +182,8 @@ def _admissible(design: DesignSpec, ask: Ask) -> dict[str, Value]:
     if stated is None or not geometry.is_linear:
         return {}
     name, strength = stated
+    if ask.joint_model.name == "shell":  # it is sought over many strokes: beams are fast
+        ask = ask._replace(joint_model=NamedModel(design, "exact").joint_model)
     found = admissible_stroke(ask, strength)
     if found is None:
         return {}

@@ -97,3 +97,10 @@ def test_shells_decide_what_curvature_that_flattens_leaves_to_beams():
     assert check.verdict is not Verdict.UNDECIDED
     assert check.model == "shell"
     assert low <= check.factor_range[0] <= check.factor_range[1] <= high
+
+
+def test_an_admissible_stroke_is_sought_by_beams():
+    """It takes many strokes far beyond that of the case, which shells would walk for minutes."""
+    found = flexcli.check(yaml.safe_dump(guided()), model="shell").values["x_adm"]
+    assert found.model == "exact"
+    assert found == flexcli.check(yaml.safe_dump(guided()), model="exact").values["x_adm"]
