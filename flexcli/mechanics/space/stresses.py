@@ -61,9 +61,9 @@ where a throat wider than √(e ρ) is kept from narrowing, and its shear amid t
 per ν likewise, per e/ρ, as a force across the thickness stresses the faces beside the throat, and
 per e/ρ and e/depth.
 
-Our solids of 172 notches, e/ρ 1e-4 to 0.84, e/depth to 3.5, b/√(e ρ) 0.1 to 300, ν to
-0.49: -0.011 to 0.36 by each force and eight mixtures, at most 0.87 of what is told; with M_y 0.75
-of that, under V_z, T and M_y 0.89, under mixtures of all six 0.76."""
+Our solids of 178 notches (``tests/benchmarks/hinge_parts.py``), e/ρ 1e-4 to 0.65, e/depth to 3.5,
+b/√(e ρ) 0.1 to 240, ν to 0.49: -0.011 to 0.36 by each force and eight mixtures, at most 0.87 of
+what is told; with M_y 0.75 of that, under V_z, T and M_y 0.89, under mixtures of all six 0.76."""
 
 FILLETED_LOW, FILLETED, FILLETED_WIDE = -0.28, 0.2, 0.45
 """The same of blades with fillets, the last per b/l: a wide one is sheared the most at its ends."""
