@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
-from flexcli.mechanics.space.freedoms import misfit
-from flexcli.mechanics.space.layout import MissedSeat, SpaceBlade, SpaceRod, Vector
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
 from flexcli.mechanics.space.second_order import SecondOrder, stiffened_by_loads
 from flexcli.mechanics.space.states import (
     Acting,
@@ -24,15 +23,14 @@ from flexcli.mechanics.space.states import (
     Stresses,
     action,
     combined,
-    misfitted,
     warmed,
 )
-from flexcli.mechanics.space.stresses import equivalent, hinge_error
-from flexcli.parts.requirements.ask import Ask, MisfitStress, Told
+from flexcli.mechanics.space.stresses import equivalent, hinge_error, hinge_range
+from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.worst_places import worst_places
-from flexcli.results import EXACT, ErrorRange
+from flexcli.results import ErrorRange
 
 __all__ = [
     "KNOWN",
@@ -46,14 +44,16 @@ __all__ = [
     "StrokeEnd",
     "acting_groups",
     "bent_by_gradient",
+    "hinge_error_of",
     "hinge_stress_error",
     "hull",
     "largest_stress",
     "left_by_temperature",
-    "misfit_stresses",
+    "linear_error",
     "motions",
     "senses",
     "spring_change",
+    "spring_error",
     "state_error",
     "stiffened_by",
     "straight_shares",
@@ -61,7 +61,6 @@ __all__ = [
     "third_order",
     "unsure_swing",
     "warping_change",
-    "worst_misfit",
 ]
 
 Floats = NDArray[np.float64]
@@ -96,10 +95,6 @@ TURNS = 2.0
 SHARES = (1.0, 0.8, 0.6, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2)
 """Of the loads that are of interest, at which a linear state is looked at, to say that nothing
 buckles."""
-
-UNSTRESSED = 1e-10
-"""Stress over that of blades whose bodies were held, below which a missed seat leaves rounding:
-bodies that nothing over-constrains follow it freely."""
 
 TWOFOLD = 2.0
 """Factor on the effect at rest of uneven sections: its upper bound at a stroke."""
@@ -256,6 +251,8 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
         found += [p for s, m in zip(swings, means, strict=True) for p in _places(s, m)]
         states = [combined(parts, [end, *loads]) for end in scene.stroke_ends]
         errors.append(_error(joint, states, stresses))
+        # what alternates, and what stands, may be of other forces than their sum
+        errors += [hinge_error_of(joint, each, stresses) for each in (swing, still)]
     whole, bent = hull(errors), bent_by_gradient(joint, scene)[0]
     if whole is None or bent == 0.0:
         return found, whole
@@ -290,7 +287,7 @@ def _error(joint: SpaceJoint, states: list[SpaceState], stresses: Stresses) -> E
     """Return the error of the largest stress in states, the worst of them."""
     if not joint.is_known_in_stress:
         return None
-    each = [_of_state(joint, state, stresses) for state in states]
+    each = [linear_error(joint, state, stresses) for state in states]
     return hull(each)
 
 
@@ -301,11 +298,13 @@ def state_error(joint: SpaceJoint, state: SpaceState, stress: float) -> ErrorRan
     most = max(largest_stress(each) for each in here)
     if most == 0.0:
         return ErrorRange(0.0, 0.0)
-    return _of_state(joint, combined([state], [stress / most]), stresses)
+    return linear_error(joint, combined([state], [stress / most]), stresses)
 
 
-def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> ErrorRange | None:
-    """Return the error of the largest stress in a state."""
+def linear_error(
+    joint: SpaceJoint, state: SpaceState, stresses: Stresses, change: ErrorRange | None = None
+) -> ErrorRange | None:
+    """Return the error of the largest stress in a state, ``change`` as of :func:`spring_error`."""
     forces = state.moved.forces[:, 0]
     here = stresses.of(forces, state.weights)
     most = max(largest_stress(each) for each in here)
@@ -321,22 +320,41 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
     more = (second + inside) / (most * max(1.0 - after.buckling, 1.0 - SOFTENED)) + third_order(
         after
     )
-    springs = _of_springs(joint, state)
+    springs = spring_error(joint, state, stresses, change)
     if more > KNOWN or springs is None:
         return None
     off = more / (1.0 - more) + warping_change(here, most)
     return springs + ErrorRange(-off, off)
 
 
-def _of_springs(joint: SpaceJoint, state: SpaceState) -> ErrorRange | None:
+def spring_error(
+    joint: SpaceJoint, state: SpaceState, stresses: Stresses, change: ErrorRange | None = None
+) -> ErrorRange | None:
     """Return the error of the largest stress by the springs' own, and by the kind of sections.
 
-    What small motion leaves out and what restrained warping may be come besides.
+    What small motion leaves out and what restrained warping may be come besides. ``change`` is by
+    how much the errors of the springs change the stress, where that is known better than by their
+    share of the energy.
     """
     off = spring_change(joint, state)
     around = AROUND_ERROR if any(isinstance(x, SpaceRod) for x in joint.layout.blades) else 0.0
-    hinges = hull(hinge_stress_error(blade) for blade in joint.layout.blades)
-    return None if hinges is None else ErrorRange(-off - around, off) + hinges
+    hinges = hinge_error_of(joint, state, stresses)
+    if hinges is None:
+        return None
+    return (change or ErrorRange(-off, off)) + ErrorRange(-around, 0.0) + hinges
+
+
+def hinge_error_of(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> ErrorRange | None:
+    """Return the error of the largest stress in a state by what is unsure of hinges."""
+    forces, least, most = state.moved.forces[:, 0], 0.0, 0.0
+    here = max(map(largest_stress, stresses.of(forces, state.weights)))
+    for k, (blade, rows) in enumerate(zip(joint.layout.blades, stresses.rows, strict=True)):
+        acting = np.concatenate([forces[6 * k : 6 * k + 6], state.weights[k]])
+        found = hinge_range(blade, rows, acting)
+        if found is None:
+            return None
+        least, most = max(least, found[0]), max(most, found[1])
+    return ErrorRange(least / here - 1.0, most / here - 1.0) if here else ErrorRange(0.0, 0.0)
 
 
 def hinge_stress_error(blade: SpaceBlade | SpaceRod) -> ErrorRange | None:
@@ -410,7 +428,7 @@ def _told_up_to(
     """Return the largest share of loads, beside a stroke, up to which the linear stress holds."""
     for share in SHARES:
         state = combined([*stroke, loads], [1.0] * len(stroke) + [share])
-        if _of_state(joint, state, stresses) is not None:
+        if linear_error(joint, state, stresses) is not None:
             return share
     return 0.0
 
@@ -438,55 +456,3 @@ def hull(errors: Iterable[ErrorRange | None]) -> ErrorRange | None:
             return None
         low, high = min(low, error.low), max(high, error.high)
     return ErrorRange(low, high)
-
-
-def misfit_stresses(
-    joint: SpaceJoint,
-    blades: Iterable[int],
-    motion: tuple[float, ...],
-    *,
-    kept: tuple[Vector, ...] = (),
-) -> Iterator[MisfitStress]:
-    """Yield the largest stress where each of some blades misses its seat, by small motion.
-
-    Where nothing over-constrains the bodies it is zero, and known. ``motion`` is the offset of the
-    seat on its second body at its end, along the axes of the layout [m, rad]; the drive is free,
-    but about axes of the layout in ``kept`` the body is guided.
-    """
-    stresses = Stresses(joint.assembly)
-    for blade in blades:
-        missed = MissedSeat(blade, np.array(motion))
-        state = misfitted(joint.assembly, missed, kept=kept)
-        held = misfit(joint.assembly, blade, missed.offset[:, None])
-        energy, most = (
-            float(joint.assembly.stiffness @ strained[:, 0] ** 2)
-            for strained in (state.moved.deformations, held)
-        )
-        if energy <= UNSTRESSED**2 * most:
-            yield MisfitStress(missed, 0.0, "nothing is stressed", EXACT, EXACT)
-            continue
-        found = stresses.of(state.moved.forces[:, 0], state.weights)
-        here = max(found, key=largest_stress)
-        springs = whole = None
-        if joint.is_known_in_stress:
-            springs, whole = _of_springs(joint, state), _of_state(joint, state, stresses)
-        place = here.where[int(np.argmax(equivalent(here.normal, here.shear)))]
-        where = f"{here.name}, {place}, {stresses.names[blade]} being off"
-        yield MisfitStress(missed, largest_stress(here), where, springs, whole)
-
-
-def worst_misfit(found: Iterable[tuple[Told, str]]) -> tuple[Told, str]:
-    """Return the largest of several stresses, and its place.
-
-    Its range is that of the largest of them all, whichever it is: unknown if one of them is.
-    """
-    each = list(found)
-    worst, where = max(each, key=lambda one: one[0].value)
-    if worst.value == 0.0 or any(told.error is None for told, _ in each):
-        error = None if any(told.error is None for told, _ in each) else EXACT
-        return Told(worst.value, error), where
-    low, high = (
-        max(told.value * (1.0 + told.error[end]) for told, _ in each if told.error is not None)
-        for end in (0, 1)
-    )
-    return Told(worst.value, ErrorRange(low / worst.value - 1.0, high / worst.value - 1.0)), where

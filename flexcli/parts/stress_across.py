@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.formulas.profile import Filleted
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
+from flexcli.formulas.profile import Filleted, Notch
+from flexcli.mechanics.space.layout import SpaceBlade
+from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.second_order import SecondOrder
 from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
@@ -32,6 +33,7 @@ from flexcli.parts.space_states import (
     third_order,
     warping_change,
 )
+from flexcli.parts.spring_limits import changed_by_springs
 from flexcli.results import ErrorRange
 
 if TYPE_CHECKING:
@@ -62,10 +64,6 @@ SMALL = 1e-3
 
 ACROSS, WITHIN = (2, 3, 4), (0, 1, 5)
 """Springs of a blade that loads out of its plane strain, and those of loads in it."""
-
-MANY = 6
-"""Kinds of springs in a joint up to which each is varied alone."""
-
 
 NEGLIGIBLE = 1e-3
 """Share of the stress of loads across a joint that those in its plane may add to it unseen."""
@@ -249,7 +247,7 @@ def _across_hinges(
     from flexcli.mechanics.space.exact.stresses import largest_of
 
     known = hull(map(hinge_stress_error, joint.layout.blades))
-    unsure = _unevenly_sprung(joint, acting, stresses, rest)
+    unsure = _unevenly_sprung(joint, acting, stresses)
     if unsure is None or any(not action(joint.assembly, each).loads for each in acting):
         return AcrossStress(rest, None)
     least, most, swings = 0.0, 1.0, 0.0
@@ -269,11 +267,19 @@ def _across_hinges(
     found = rest * most
     if known is None:  # of the stress itself; all that acts in its sections is known
         return AcrossStress(found, ErrorRange(-1.0, inf), inf)
-    # warping between straight clamps is as unsure as a hinge's is
-    low = (1.0 + min(known.low, -WARPING_ERROR)) * (1.0 + unsure.low)
-    high = (1.0 + max(known.high, WARPING_ERROR)) * (1.0 + unsure.high)
+    # warping between straight clamps is as unsure as a hinge's is, which has that of its own
+    warped = 0.0 if _are_notches(joint) else WARPING_ERROR
+    low = (1.0 + min(known.low, -warped)) * (1.0 + unsure.low)
+    high = (1.0 + max(known.high, warped)) * (1.0 + unsure.high)
     swings = (SWINGS * swings + TURNING * turned * found) * high
     return AcrossStress(found, ErrorRange(least / found * low - 1.0, high - 1.0), swings)
+
+
+def _are_notches(joint: SpaceJoint) -> bool:
+    return all(
+        isinstance(blade, SpaceBlade) and isinstance(blade.profile, Notch)
+        for blade in joint.layout.blades
+    )
 
 
 def _turned_by(joint: SpaceJoint, travel: float) -> float:
@@ -303,33 +309,16 @@ def _alternating(joint: SpaceJoint, ends: "Sequence[list[SectionStates]]") -> fl
 
 
 def _unevenly_sprung(
-    joint: SpaceJoint, acting: list[Acting], stresses: Stresses, rest: float
+    joint: SpaceJoint, acting: list[Acting], stresses: Stresses
 ) -> ErrorRange | None:
-    """Return the error of the largest stress of loads, ``rest``, by springs out of the plane.
-
-    Blades of the same shape have the same error; each kind of their springs is at its lower or
-    upper limit beside the others. None where that is unknown, or blades are of many shapes.
-    """
+    """Return the error of the largest stress of loads by springs out of the plane, see limits."""
     if len(joint.layout.blades) == 1:  # what acts on it are the loads
         return ErrorRange(0.0, 0.0)
-    alike = dict[tuple[object, ...], list[int]]()
-    for k, blade in enumerate(joint.layout.blades):
-        if isinstance(blade, SpaceRod):
-            return None
-        shape = (*vars(blade.profile).values(), blade.b, joint.assembly.members[k].l)
-        for spring in ACROSS:
-            alike.setdefault((spring, *shape), []).append(6 * k + spring)
-    rows = list(alike.values())
-    if len(rows) > MANY or not np.isfinite(joint.high[np.concatenate(rows)]).all():
-        return None
-    found = list[float]()
-    for ends in product((joint.low, joint.high), repeat=len(rows)):
-        factors = np.ones(len(joint.assembly.stiffness))
-        for own, end in zip(rows, ends, strict=True):
-            factors[own] += end[own]
-        assembly = joint.assembly.scaled(factors)
-        found.append(_at_once([action(assembly, each) for each in acting], stresses) / rest - 1.0)
-    return ErrorRange(min(0.0, *found), max(0.0, *found))
+
+    def stress(assembly: SpaceAssembly) -> float:
+        return _at_once([action(assembly, each) for each in acting], stresses)
+
+    return changed_by_springs(joint, ACROSS, stress)
 
 
 def _added(

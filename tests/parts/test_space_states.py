@@ -28,7 +28,8 @@ from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.scene import NO_WRENCH, LoadKind, Scene
 from flexcli.parts.space_joint import SpaceJoint
-from flexcli.parts.space_states import misfit_stresses, motions, stress_places
+from flexcli.parts.space_misfits import misfit_stresses
+from flexcli.parts.space_states import motions, stress_places
 from flexcli.parts.strained_compliance import sag
 from flexcli.parts.stress_across import across_stress
 

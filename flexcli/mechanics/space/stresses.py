@@ -24,6 +24,7 @@ __all__ = [
     "at_places",
     "equivalent",
     "hinge_error",
+    "hinge_range",
     "shear_spread",
     "stress_rows",
     "twisted",
@@ -44,6 +45,25 @@ EVEN = 10.0
 
 LOW, HIGH, HIGH_SHARP = -0.25, 0.28, 0.7
 """Least and largest error of the stress of forces across a notch, the second besides per e/ρ."""
+
+NARROW, LOW_NARROW, HIGH_NARROW = 0.7, -0.2, 0.1
+"""Width of a throat, in √(e ρ), up to which these are the least and largest error of the stress of
+forces across it, the second besides ``HIGH_SHARP`` per e/ρ: solids had -0.165 to 0.125."""
+
+BENT, BENT_NARROW, UNTWISTED = (-0.22, 0.04), (-0.03, 0.03), 2.0
+"""Error of the stress of a moment M_y on a notch, and on a narrow one: solids had -0.2 to 0.022 and
+-0.022 to 0.011. What V_z and T leave counts on no more of its stress than twice their own."""
+
+WITHIN_LOW, EDGES, SIDES, WITHIN, WITHIN_HELD = -0.04, -0.2, -0.2, 0.06, 0.12
+WITHIN_SHEARED, WITHIN_SHALLOW = 0.4, 0.2
+"""Least error of the stress of N, V_y and M_z on a notch, what edges have less besides, per ν,
+where a throat wider than √(e ρ) is kept from narrowing, and its shear amid the sides; the largest,
+per ν likewise, per e/ρ, as a force across the thickness stresses the faces beside the throat, and
+per e/ρ and e/depth.
+
+Our solids of 178 notches (``tests/benchmarks/hinge_parts.py``), e/ρ 1e-4 to 0.65, e/depth to 3.5,
+b/√(e ρ) 0.1 to 240, ν to 0.49: -0.011 to 0.36 by each force and eight mixtures, at most 0.87 of
+what is told; with M_y 0.75 of that, under V_z, T and M_y 0.89, under mixtures of all six 0.76."""
 
 FILLETED_LOW, FILLETED, FILLETED_WIDE = -0.28, 0.2, 0.45
 """The same of blades with fillets, the last per b/l: a wide one is sheared the most at its ends."""
@@ -210,9 +230,10 @@ def hinge_error(blade: SpaceBlade | SpaceRod) -> tuple[float, float] | None:
     compared: tuple[Range, ...]
     match blade.profile:
         case Notch(e=e, depth=depth):
-            sharp = 4.0 * float(e * depth) * (wide / blade.b) ** 2
+            sharp, over = _sharpness(blade, blade.profile)
             felt |= {"e/ρ": sharp, "e/depth": float(e / depth), "e/b": float(e) / blade.b}
-            compared, error = COMPARED, (LOW, HIGH + HIGH_SHARP * sharp)
+            low, high = (LOW_NARROW, HIGH_NARROW) if over <= NARROW else (LOW, HIGH)
+            compared, error = COMPARED, (low, high + HIGH_SHARP * sharp)
         case Filleted(h=h, r=r):
             felt |= {"h/r": float(h / r), "h/b": float(h) / blade.b}
             least = FILLETED_LOW if h <= r else SHARP_LOW
@@ -220,6 +241,54 @@ def hinge_error(blade: SpaceBlade | SpaceRod) -> tuple[float, float] | None:
         case _:
             raise TypeError("only notches and fillets were compared with solids")
     return None if outside(compared, felt) else error
+
+
+def hinge_range(
+    blade: SpaceBlade | SpaceRod, rows: StressRows, acting: Floats
+) -> tuple[float, float] | None:
+    """Return between what the largest stress of a blade lies by what is unsure of hinges [Pa].
+
+    ``acting`` are the nine forces and weights of ``rows``. On a notch, those in its plane, a moment
+    about its thickness, and what shears it across leave their errors each of its own part of the
+    stress, at every place; other hinges have that of :func:`hinge_error`, and nothing is told where
+    that tells nothing.
+    """
+    across = hinge_error(blade)
+    if across is None:
+        return None
+
+    def part(*columns: int) -> Floats:
+        some = list(columns)
+        return equivalent(rows.normal[:, some] @ acting[some], rows.shear[:, some] @ acting[some])
+
+    whole = part(*range(9))
+    if not isinstance(blade, SpaceBlade) or not isinstance(blade.profile, Notch):
+        most = float(whole.max(initial=0.0))
+        return most * (1.0 + across[0]), most * (1.0 + across[1])
+    sharp, over = _sharpness(blade, blade.profile)
+    held = blade.material.nu * min(over, 1.0)
+    shallow = WITHIN_SHALLOW * float(blade.profile.e / blade.profile.depth)
+    y, z = rows.offsets.T
+    low = WITHIN_LOW + np.where(z != 0.0, EDGES * held + np.where(y == 0.0, SIDES, 0.0), 0.0)
+    high = WITHIN + WITHIN_HELD * held + (WITHIN_SHEARED + shallow) * sharp
+    within, bent, sheared, both = part(0, 1, 5, 6, 7), part(4), part(2, 3, 8), part(2, 3, 4, 8)
+    alone = BENT_NARROW if over <= NARROW else BENT
+    unsure = np.minimum(both, UNTWISTED * sheared.max())
+    each = (alone[end] * bent + across[end] * unsure for end in (0, 1))
+    # together they leave no more than as one
+    less, more = (np.abs(one) for one in each)
+    less, more = np.minimum(less, -across[0] * both), np.minimum(more, across[1] * both)
+    return (
+        float(np.max(whole + low * within - less)), float(np.max(whole + high * within + more))
+    )  # fmt: skip
+
+
+def _sharpness(blade: SpaceBlade, notch: Notch) -> tuple[float, float]:
+    """Return e/ρ of a throat, and its width over √(e ρ)."""
+    l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
+    e, depth = float(notch.e), float(notch.depth)
+    rho = l**2 / (4.0 * depth)
+    return e / rho, blade.b / float(np.sqrt(e * rho))
 
 
 def _is_hinge(blade: SpaceBlade) -> bool:
@@ -234,10 +303,7 @@ def shear_spread(blade: SpaceBlade) -> float:
     """
     if not isinstance(blade.profile, Notch):
         return 1.5
-    l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
-    e, depth = float(blade.profile.e), float(blade.profile.depth)
-    reach = l / 2.0 * float(np.sqrt(e / depth))
-    return 1.0 + 0.5 / (1.0 + blade.b / (EVEN * reach))
+    return 1.0 + 0.5 / (1.0 + _sharpness(blade, blade.profile)[1] / EVEN)
 
 
 def _sections(member: SpaceBlade, l: float) -> tuple[Floats, Floats, tuple[str, ...]]:

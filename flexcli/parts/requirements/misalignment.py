@@ -16,7 +16,7 @@ from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, RequirementError, Told
 from flexcli.parts.requirements.base import Limit, Requirement
 from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_states import misfit_stresses, worst_misfit
+from flexcli.parts.space_misfits import misfit_stresses, worst_misfit
 from flexcli.results import QuantityKind
 
 __all__ = ["MisalignmentStress"]

@@ -8,9 +8,12 @@ import pytest
 
 from flexcli.formulas import fillet, notch
 from flexcli.formulas.profile import Filleted, Notch
+from flexcli.mechanics.solids.neck import Neck
+from flexcli.mechanics.solids.unit_loads import COARSE, NeckUnderLoads
+from flexcli.mechanics.solids.unit_loads import equivalent as along_or_mises
 from flexcli.mechanics.space.layout import Isotropic, SpaceBlade
 from flexcli.mechanics.space.springs import springs_of
-from flexcli.mechanics.space.stresses import equivalent, hinge_error, stress_rows
+from flexcli.mechanics.space.stresses import equivalent, hinge_error, hinge_range, stress_rows
 
 SOLIDS = json.loads((Path(__file__).parent / "hinge_stresses.json").read_text(encoding="utf-8"))
 """By ``tests/benchmarks/hinge_stresses.py``. The bound of notches was set before these were solved,
@@ -67,3 +70,34 @@ def test_a_margin_of_two_is_within_what_is_told_of_a_notch():
 )
 def test_nothing_is_told_of_hinges_that_no_solid_was_made_of(kind, numbers, l, b, nu):
     assert hinge_error(hinge(kind, numbers, l, b, nu)) is None
+
+
+@pytest.mark.parametrize(
+    ("e", "depth", "b", "nu"),
+    [(0.05, 1.0, 0.1, 0.3), (0.01, 1.0, 0.6, 0.45), (0.1, 0.1, 1.0, 0.3), (0.3, 1.0, 1.0, 0.2)],
+)
+def test_the_stress_of_all_forces_lies_between_what_each_kind_leaves_of_its_part(e, depth, b, nu):
+    blade = hinge("notch", [e, depth], 2.0, b, nu)
+    rows, random = stress_rows(blade, springs_of(blade)), np.random.default_rng(0)
+    one = equivalent(rows.normal, rows.shear).max(axis=0)[:6]
+    loads = np.concatenate([np.eye(6), random.normal(size=(40, 6))]) / one
+    loads[6:16, 2:5] = loads[16:22, 2:4] = 0.0
+    solid = NeckUnderLoads(Neck(e, depth, 2.0, b, 0.0, 1.0), 1.0, nu)
+    stress, _ = solid.stresses(loads, COARSE)
+    for load, found in zip(loads, along_or_mises(stress), strict=True):
+        low, high = hinge_range(blade, rows, np.concatenate([load, np.zeros(3)]))
+        assert low < np.abs(found).max() < high
+
+
+def test_forces_in_the_plane_of_a_notch_and_a_moment_about_its_thickness_are_known_well():
+    blade = hinge("notch", [0.05, 1.0], 2.0, 0.1, 0.3)
+    rows, forces = (
+        stress_rows(blade, springs_of(blade)),
+        np.array([1.0, 0, 0, 0, 0.03, 0.01] + 3 * [0]),
+    )
+    told = equivalent(rows.normal @ forces, rows.shear @ forces).max()
+    low, high = np.array(hinge_range(blade, rows, forces)) / told
+    assert 0.9 < low < high < 1.12
+    across = np.eye(9)[2]
+    low, high = np.array(hinge_range(blade, rows, across)) / largest(blade, [1.0, 0.0, 0.0])
+    assert (low, high) == pytest.approx(1.0 + np.array(hinge_error(blade)))

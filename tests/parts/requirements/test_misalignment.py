@@ -9,9 +9,11 @@ from twins.reissner import GROUND, Beam, Frame, Mass
 import flexcli
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_shell import SpaceShellModel
+from flexcli.mechanics.solids.neck import Neck
+from flexcli.mechanics.solids.unit_loads import FINE, NeckUnderLoads, equivalent
 from flexcli.parts.requirements import Ask
 from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_states import misfit_stresses, worst_misfit
+from flexcli.parts.space_misfits import misfit_stresses, worst_misfit
 from flexcli.results import Verdict
 
 E = 100e9
@@ -123,3 +125,17 @@ def test_shells_tell_the_stress_of_blades_that_are_too_wide_for_beams():
     narrower, _ = missed(WIDE | {"b": "38 mm"}, seat, "exact", 0.3)
     assert stress == pytest.approx(narrower, rel=0.03)
     assert least < narrower < most < 1.15 * least
+
+
+@pytest.mark.parametrize(("b", "nu"), [(0.4, 0.3), (4.0, 0.45)])
+def test_a_turned_seat_stresses_a_hinge_as_a_solid_that_bears_three_quarters_of_the_turn(b, nu):
+    e, r, turn = 0.1e-3, 4e-3, 1e-3
+    stage = {"kind": "hinged-stage", "e": f"{e} m", "r": f"{r} m", "b": f"{b} mm", "l": "40 mm",
+             "limbs": 2, "spacing": "40 mm", "blocks": "10 mm"}  # fmt: skip
+    # four hinges alike, the stage free: it moves until the other three bear a quarter each
+    solid, moment = NeckUnderLoads(Neck(e, r, 2.0 * r, b * 1e-3, 0.0, 5e-3), E, nu), np.eye(6)[[5]]
+    stress = float(np.abs(equivalent(solid.stresses(moment, FINE)[0])).max())
+    true = 0.75 * turn / solid.compliance(5)[0] * stress
+    told, (low, high) = misaligned(stage, "limb 1 inner hinge", turn, nu=nu)
+    assert low < true < high
+    assert high - low < 0.25 * told

@@ -17,7 +17,7 @@ from flexcli.formulas.profile import Constant, NeckedDown
 from flexcli.mechanics.space.layout import BeamEffects
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.space_joint import SpaceJoint
-from flexcli.parts.space_states import misfit_stresses
+from flexcli.parts.space_misfits import misfit_stresses
 
 E, NU = 114e9, 0.0
 G = E / 2.0 / (1.0 + NU)
