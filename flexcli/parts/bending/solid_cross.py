@@ -1,10 +1,11 @@
 """Blades that are one piece where they cross: what this changes of a joint."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import cos, exp, inf, isfinite, pi, sin, tan
 
 from flexcli.formulas import pivot
-from flexcli.formulas.plate_factors import bound
+from flexcli.formulas.joined_plates import OfHalves, joined_plates, solid_plates
+from flexcli.formulas.plate_factors import bound, flat_share
 from flexcli.formulas.solid_crossing import (
     ANGLES,
     FIT,
@@ -13,7 +14,6 @@ from flexcli.formulas.solid_crossing import (
     crossing_reach,
     crossing_shift,
     joined_across,
-    solid_crossing,
 )
 from flexcli.numerics.rows import number, one_alone
 from flexcli.parts.bending.base import CompliantClamps, Factor, MovedAcross
@@ -28,10 +28,15 @@ its beams and its crossing: plane elements of whole joints with halves of 0.16 t
 SHIFTING_ARM = 2.0
 """The same for the shift, whose orders in h/l are no longer in sequence below."""
 
-NARROW, WIDE = 3.0, 8.0
-"""Width of a blade, over half the length of the crossing, up to which this may not be flat all
-over, and from which on it is as flat as the blade: solids told 0.05 of it at 0.8, 0.2 at 1.3, 0.5
-to 0.8 at 4, all at 8."""
+NARROW = 3.0
+"""Width of a blade, over half the length of the crossing, up to which this may not be as in plane
+strain, of which it moves the body across."""
+
+AS_FLAT, LOOSENED = 0.15, 0.5
+"""By how much a crossing may be kept less or more flat than the halves beyond it, over 4 f (1 − f),
+f their flatness, and more by the part of h/b cot α by which these curl where it does not: solids of
+joints from 15° to 80°, 0.5 to 31 times as wide as half the crossing is long, had 0.1 less and 0.15
+more (CalculiX, ``tests/benchmarks/crossed_solids.py``)."""
 
 HELD_FLAT = 0.06
 """What a rigid clamp stiffens by keeping an end flat, over h²/l² and what the crossing stiffens:
@@ -77,17 +82,16 @@ def solid_cross(
     nu: float,
     crossing: float,
     half_angle: float,
-    flat: Callable[[float], float],
+    halves: Callable[[float], OfHalves],
     apart: tuple[float, float],
 ) -> CompliantClamps:
     """Return the changes by blades that are one piece where they cross, ν ½ where not given.
 
-    The moment in the crossing rises with the stiffness. ``flat`` is the stiffness over a beam's of
-    wide blades of a length, ``apart`` what their halves share otherwise for being wide, as
-    :func:`flexcli.parts.bending.wide.halves_apart` has it. A crossing much shorter than wide is as
-    flat as they are, at least, and does not curl at all, at most, one much longer curls; between
-    blades that are shorter by it, which are flatter. Nothing is known where a half does not reach
-    beyond the crossing, and nothing of the shift along the bisector where it hardly does.
+    The moment in the crossing rises with the stiffness. ``halves`` is what plates stiffen of both
+    that are rigid up to a length from the crossing, ``apart`` what they share otherwise for being
+    wide, as :func:`flexcli.parts.bending.wide.halves_apart` has it. A crossing is about as flat as
+    the halves beyond it, which are shorter by it and flatter. Nothing is known where a half does
+    not reach beyond the crossing, and nothing of the shift along the bisector where it hardly does.
     """
     one_alone()
     h, l, b = map(number, blade)
@@ -98,30 +102,27 @@ def solid_cross(
     if not ANGLES[0] <= half_angle <= ANGLES[1] or shortest < (reach + LEAST_ARM) * h:
         return _unknown(ratio)
     thickens = nu / (1.0 - nu)  # ν' of plane strain
-    held_flat = min(1.0, b / (NARROW * reach * h))
-    plane = (nu if nu < 0.5 else 0.0), nu + (thickens - nu) * held_flat
-    alone = [
-        float(
-            solid_crossing(h=h, l=l, half_angle=half_angle, crossing=crossing, poisson_ratio=each)
-        )
-        for each in plane
-    ]
+    plane = (nu if nu < 0.5 else 0.0), nu + (thickens - nu) * min(1.0, b / (NARROW * reach * h))
     rigid = float(crossing_offset(half_angle=half_angle)) * h
-    whole, shorter = flat(l), flat(l - 2.0 * rigid)
-    least = min(1.0, whole / (1.0 + number(bound(nu)) * held_flat))
-    most = whole / (1.0 + (whole - 1.0) * min(1.0, b / (WIDE * reach * h)))
-    stiffer = [_between_blades(each, share) for each in alone for share in (least, most)]
+    wide, beyond = halves(0.0), halves(rigid)
+    at = {"h": h, "l": l, "half_angle": half_angle, "crossing": crossing, "poisson_ratio": nu}
+    whole = float(joined_plates(**at, halves=wide))
+    ends = _flatness(beyond, [share * l for share in shares], rigid, nu, h / b / tan(half_angle))
+    stiffer = [float(solid_plates(**at, halves=beyond, flat=flat)) / whole for flat in ends]
+    if nu >= 0.5:  # which may be none as well
+        stiffer.append(float(solid_plates(**at | {"poisson_ratio": 0.0})))
     low, high = min(stiffer), max(stiffer)
+    if low <= 0.0:
+        return _unknown(ratio)
+    least, most = (whole / (1.0 + each * number(bound(nu))) for each in (1.0, ends[0]))
     held_ends = _held_ends(thickens, shortest / h - reach) * h / l * high**0.5
     held_ends += HELD_FLAT * (h / l) ** 2 * high
     low -= FIT * abs(low - 1.0)
-    high = (high + FIT * abs(high - 1.0)) * max(1.0, shorter / whole) * (1.0 + held_ends)
-    if not isfinite(high):
-        return _unknown(ratio)
+    high = (high + FIT * abs(high - 1.0)) * (1.0 + held_ends)
     middle = (low + high) / 2.0
     shift = -inf, inf
     if shortest >= (reach + SHIFTING_ARM) * h:
-        shifted = [_shift(l, shares, share * rigid) for share in (least, most)]
+        shifted = [_shift(l, shares, share * rigid) for share in (min(1.0, least), max(1.0, most))]
         g = float(crossing_shift(half_angle=half_angle))
         second = (h / l) ** 2 / sum(share**3 for share in shares)
         off = second * (1.0 + OF_SECOND * abs(g))
@@ -176,13 +177,22 @@ def _held_ends(thickens: float, beyond: float) -> float:
     return 0.34 * thickens**2 / (1.0 + 0.7 * thickens) * min(1.0, 0.5 + 0.3 * beyond)
 
 
-def _between_blades(alone: float, share: float) -> float:
-    """Return what a crossing stiffens between blades that are ``share`` as stiff as it [-].
+def _flatness(
+    halves: OfHalves, lengths: Sequence[float], rigid: float, nu: float, loose: float
+) -> tuple[float, float]:
+    """Return the range of how flat a crossing is kept, from the halves beyond it [-].
 
-    ``alone`` is what it stiffens where both are alike: it takes 1 − 1/alone of the compliance.
+    These turn about a centre by which they are rigid; each by its share of the compliance.
     """
-    taken = (1.0 - 1.0 / alone) * share
-    return 1.0 / (1.0 - taken) if taken < 1.0 else inf
+    soft = flat = 0.0
+    for length, arc, bent in zip(lengths, halves.arcs, halves.bent, strict=True):
+        s_shaped = 12.0 * (0.5 + rigid / (length - rigid)) ** 2
+        compliance = (length - rigid) / (1.0 + s_shaped)
+        soft += compliance
+        flat += compliance * (1.0 + s_shaped) / (number(arc) + s_shaped * number(bent))
+    f = number(flat_share(soft / flat, nu))
+    apart = 4.0 * AS_FLAT * f * (1.0 - f)
+    return max(f - apart, 0.0), min(f + apart + LOOSENED * loose, 1.0)
 
 
 def _shift(l: float, shares: tuple[float, float], rigid: float) -> float:
