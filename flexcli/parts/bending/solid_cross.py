@@ -1,7 +1,7 @@
 """Blades that are one piece where they cross: what this changes of a joint."""
 
 from collections.abc import Callable, Sequence
-from math import cos, exp, inf, isfinite, pi, sin, tan
+from math import cos, exp, inf, isfinite, pi, radians, sin, tan
 
 from flexcli.formulas import pivot
 from flexcli.formulas.joined_plates import OfHalves, joined_plates, solid_plates
@@ -16,7 +16,7 @@ from flexcli.formulas.solid_crossing import (
     joined_across,
 )
 from flexcli.numerics.rows import number, one_alone
-from flexcli.parts.bending.base import CompliantClamps, Factor, MovedAcross
+from flexcli.parts.bending.base import CompliantClamps, Factor, MovedAcross, Turned
 from flexcli.parts.geometries.base import Blade
 
 __all__ = ["solid_cross", "with_roots"]
@@ -46,10 +46,15 @@ OF_SECOND, OF_THIRD = 0.1, 40.0
 """Errors of the shift: part of its second order in h/l, to which one is added; and over (h/l)³ of
 the shorter half and 1 + cot²α, by plane elements of whole joints."""
 
-TURNED, TURNS_MOST = 0.09, 2.8
-"""What a rotation changes of what a crossing adds to the stress, over that and sin⁻² α cos⁻² α
-[1/rad], and the rotation up to which it is no more, over cot α [rad]: exact beams that begin beyond
-it had 0.073, from 5.5° to 84.5°, up to 0.7 rad."""
+STEEP = 60.0
+TURNED, TURNED_STEEP = (-0.035, 0.085, 0.0), (0.0, 0.045, 0.06)
+"""What a rotation θ adds to what a crossing adds to the stress, over θ times that and
+sin⁻² α cos⁻² α [1/rad]: the least, the most, and what this grows by tan α θ², up to a half-angle
+[deg] and beyond. Exact beams that begin beyond the crossing had −0.022 to 0.078 below, 0.012 to
+(0.043 + 0.053 tan α θ²) beyond, of crossings from 0.05 on, 6° to 84° and up to 0.7 rad."""
+
+TURNS_MOST = 2.8
+"""The rotation up to which it is no more, over cot α [rad]."""
 
 TURNS_FAR = 0.7
 """The largest rotation of those [rad]."""
@@ -128,7 +133,14 @@ def solid_cross(
         off = second * (1.0 + OF_SECOND * abs(g))
         off += OF_THIRD * ratio**3 * (1.0 + tan(half_angle) ** -2.0)
         shift = min(shifted) + g * second - off, max(shifted) + g * second + off
-    turned = TURNED / (sin(half_angle) * cos(half_angle)) ** 2
+    unsteady = max(abs(low - 1.0), abs(high - 1.0)) / (sin(half_angle) * cos(half_angle)) ** 2
+    lost, more, grows = TURNED if half_angle < radians(STEEP) else TURNED_STEEP
+    turned = Turned(
+        unsteady * (lost if low >= 1.0 else -more),
+        unsteady * more,
+        unsteady * grows * tan(half_angle),
+        min(TURNS_FAR, TURNS_MOST / tan(half_angle)),
+    )
     held = (1.0 - 1.5 * rigid / shortest) ** -2.0 if 1.5 * rigid < shortest else inf
     return CompliantClamps(
         ratio,
@@ -139,7 +151,7 @@ def solid_cross(
         shift,
         0.0,
         _across(blade, plane, crossing, half_angle, apart, (whole, whole * high)),
-        (turned * (high - 1.0), min(TURNS_FAR, TURNS_MOST / tan(half_angle))),
+        turned,
     )
 
 
