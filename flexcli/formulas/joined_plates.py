@@ -187,9 +187,9 @@ def _compliance(
     share, nu = np.asarray(crossing, dtype=np.float64), np.asarray(poisson_ratio, dtype=np.float64)
     aside = 2.0 * np.tan(np.asarray(half_angle, dtype=np.float64)) ** -2.0
     whole, mixed, own, other = np.zeros(()), [], [], np.zeros(())
-    for part, arc, bent, pulled in zip((share, 1.0 - share), *halves, strict=True):
+    arrays = ([np.asarray(each, dtype=np.float64) for each in both] for both in halves)
+    for part, arc, bent, pulled in zip((share, 1.0 - share), *arrays, strict=True):
         n = part / t
-        arc, bent, pulled = (np.asarray(each, dtype=np.float64) for each in (arc, bent, pulled))
         whole = whole + 24.0 * n / arc
         mixed.append(-12.0 * n**2 / arc)
         own.append(n**3 * (6.0 / arc + 2.0 / bent) + n * (4.8 * (1.0 + nu) + aside / pulled))

@@ -18,8 +18,8 @@ from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.geometries import AnyGeometry
 
 L, E = 0.1, 200e9
-MESHED = 0.02
-"""What the mesh of solids leaves too much of what a crossing stiffens."""
+MESHED = 0.025
+"""What the mesh of solids leaves too much of what a crossing stiffens: 2.5 % at 84°."""
 
 MEANT: dict[str, Any] = {
     "stiffness": {"min": "1 N*m/rad"}, "parasitic_shift": {"max": "1 m"}, "buckling": 1.0,
@@ -77,7 +77,7 @@ def test_the_stiffness_of_solids_is_in_the_range_of_exact_beams(row):
             each / (8.0 * E * b * h**3 * L**3 / 12.0) for each in numbers(joint, nu, "stiffness")
         )
         assert low <= solid <= high + MESHED * max(solid - 1.0, 0.1)
-        assert high - low < (0.02 + 0.75 * nu) * value  # and tells something
+        assert high - low < (0.02 + 0.35 * nu) * value  # and tells something
 
 
 @pytest.mark.parametrize("row", rows("plane_joints.json"))

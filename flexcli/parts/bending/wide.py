@@ -14,7 +14,7 @@ from flexcli.formulas.joined_plates import OfHalves, joined_plates, uneven_line
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment, shear_parameter
 from flexcli.formulas.solid_crossing import joined_across
-from flexcli.numerics.rows import cos, larger, number, one_alone, one_by_one, smaller, tan
+from flexcli.numerics.rows import Number, cos, larger, number, one_alone, one_by_one, smaller, tan
 from flexcli.parts.bending.base import (
     PULLED,
     SHORTEST,
@@ -237,7 +237,10 @@ def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> 
     bends = 4.0 / blade.l, -2.0 / blade.l  # at the cross and at the ends of either half
     widest = blade.b / smaller(part.l for part in parts)
     across = _halves_across(blade, nu, crossing, half_angle)
-    return WideBlades(widest, stiffness, stiffness, held, shift, None, bends, across=across)
+    # curvature flattens no more than clamps and line leave
+    left = smaller((most / stiffness.low - 1.0) / larger(most - 1.0, TINY), 1.0)
+    found = WideBlades(widest, stiffness, stiffness, held, shift, None, bends, across=across)
+    return found._replace(uneven=left)
 
 
 class PlatesOfHalves(NamedTuple):
@@ -277,9 +280,9 @@ def plates_of_halves(
     return PlatesOfHalves(*found)
 
 
-def _loose(blade: Blade, half_angle: float) -> Numbers:
+def _loose(blade: Blade, half_angle: float) -> Number:
     """Return by how much blades that cross let each other curl, h/b cot α, 1 at most [-]."""
-    return smaller(blade.h / blade.b / tan(half_angle), 1.0)
+    return smaller(number(blade.h) / number(blade.b) / tan(half_angle), 1.0)
 
 
 def _halves_across(blade: Blade, nu: float, crossing: float, half_angle: float) -> WideAcross:
