@@ -36,8 +36,8 @@ LESS_FLAT, MORE_FLAT, LOOSENED = 0.2, 0.15, 0.5
 """By how much less and more flat than the halves beyond it a crossing may be kept, over
 4 f (1 − f), f their flatness, and more by the part of h/b cot α by which these curl where it does
 not: solids from 60° to 84° of h/b cot α up to 0.15, b from 0.5 to 31 times half the length of the
-crossing, had 0.18 less, and 0.85 of what is more (CalculiX, ``tests/benchmarks/crossed_solids.py``).
-Flatter joints tell little of it: their solids are in the range of all."""
+crossing, had 0.18 less, and 0.85 of what is more (``tests/benchmarks/crossed_solids.py``). Flatter
+joints tell little of it: their solids are in the range of all."""
 
 HELD_FLAT = 0.06
 """What a rigid clamp stiffens by keeping an end flat, over h²/l² and what the crossing stiffens:
