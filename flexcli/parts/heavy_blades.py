@@ -19,6 +19,8 @@ from flexcli.numerics.modes import natural_modes
 from flexcli.numerics.quadrature import gauss_rule
 from flexcli.parts.bending import Change, Changes, Factor
 from flexcli.parts.effects.base import Setting
+from flexcli.parts.effects.clamps import clamps_of
+from flexcli.parts.effects.estimate import BETWEEN
 from flexcli.parts.effects.plate import wide_of
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import TwistingBars
@@ -98,6 +100,10 @@ def _frequency(setting: Setting) -> Change | None:
     beside = _redistributed(setting, rho)
     if beside is not None:
         error += beside
+    crossed = clamps_of(setting)
+    if crossed is not None and crossed.stiffness.other == 0.0:
+        low, high = crossed.stiffness.low**0.5, crossed.stiffness.high**0.5
+        error += BETWEEN * abs(value) * max(1.0 - low, high - 1.0)
     if density is None:
         return Change(None, 1.0 - (1.0 + value) * (1.0 - error), 0.0, -1)
     return Change(value, abs(value), error, other=inf if beside is None else 0.0)

@@ -18,8 +18,8 @@ from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.geometries import AnyGeometry
 
 L, E = 0.1, 200e9
-MESHED = 0.02
-"""What the mesh of solids leaves too much of what a crossing stiffens."""
+MESHED = 0.025
+"""What the mesh of solids leaves too much of what a crossing stiffens: 2.5 % at 84°."""
 
 MEANT: dict[str, Any] = {
     "stiffness": {"min": "1 N*m/rad"}, "parasitic_shift": {"max": "1 m"}, "buckling": 1.0,
@@ -77,7 +77,7 @@ def test_the_stiffness_of_solids_is_in_the_range_of_exact_beams(row):
             each / (8.0 * E * b * h**3 * L**3 / 12.0) for each in numbers(joint, nu, "stiffness")
         )
         assert low <= solid <= high + MESHED * max(solid - 1.0, 0.1)
-        assert high - low < (0.02 + 0.75 * nu) * value  # and tells something
+        assert high - low < (0.02 + 0.35 * nu) * value  # and tells something
 
 
 @pytest.mark.parametrize("row", rows("plane_joints.json"))
@@ -179,7 +179,8 @@ def most_in_crossing(degrees: float, crossing: float, rigid: float, turn: float)
 
 
 @pytest.mark.parametrize(
-    ("degrees", "crossing"), [(8.0, 0.35), (35.0, 0.2), (75.0, 0.35), (83.0, 0.5)]
+    ("degrees", "crossing"),
+    [(8.0, 0.35), (35.0, 0.2), (52.0, 0.12), (74.0, 0.1), (75.0, 0.35), (83.0, 0.5)],
 )
 @pytest.mark.parametrize("turn", [0.05, 0.3, 0.6])
 def test_a_turn_changes_what_a_crossing_adds_to_the_stress_within_its_error(
@@ -197,8 +198,9 @@ def test_a_turn_changes_what_a_crossing_adds_to_the_stress_within_its_error(
         - 1.0
         for each in (1e-4, turn)
     )
-    told, most = clamps.turned
-    if turn <= most:
-        assert abs(turned / at_rest - 1.0) <= told * turn / (clamps.stiffness.high - 1.0)
+    told, adds = clamps.turned, clamps.stiffness.high - 1.0
+    if turn <= told.farthest:
+        assert told.least * turn <= (turned / at_rest - 1.0) * adds
+        assert (turned / at_rest - 1.0) * adds <= (told.most + told.grows * turn**2) * turn
     else:
         assert degrees == 83.0

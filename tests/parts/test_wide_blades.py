@@ -371,7 +371,7 @@ def test_no_shape_between_clamps_is_flatter_than_an_arc_of_four_times_the_width(
 
 @pytest.mark.parametrize("nu", [0.1, 0.3, 0.5])
 @pytest.mark.parametrize("crossing", [0.5, 0.3, 0.1])
-@pytest.mark.parametrize("b", [0.05, 0.3, 1.5])
+@pytest.mark.parametrize("b", [0.05, 0.3, 0.8, 1.5])
 def test_joined_blades_are_as_stiff_as_a_plate_held_on_a_line_and_shift_as_it(b, crossing, nu):
     plate = CrossedStrip(b, nu, crossing)
     found = wide_halves(Blade(1e-6, 1.0, b), nu, crossing, pi / 4)
@@ -380,7 +380,7 @@ def test_joined_blades_are_as_stiff_as_a_plate_held_on_a_line_and_shift_as_it(b,
     value, error = found.shift
     assert sum(plate.shortenings()) / beams - 1.0 == pytest.approx(value, abs=error)
     widens = 1.0 / (1.0 - nu**2) - 1.0
-    assert found.stiffness.high - found.stiffness.low < 0.1 * widens + 2e-3
+    assert found.stiffness.high - found.stiffness.low < 0.045 * widens + 2e-3
     assert error < 0.06 * widens + 1e-3 + 0.25 * abs(value)
 
 
@@ -391,15 +391,15 @@ def test_joined_blades_are_as_stiff_as_a_plate_held_on_a_line_and_shift_as_it(b,
         for row in json.loads(
             (Path(__file__).parent / "crossed_solids.json").read_text(encoding="utf-8")
         )
-        if min(row[2], 1.0 - row[2]) / row[0] > 4.5
+        if min(row[2], 1.0 - row[2]) / row[0] > 4.5 and row[3] > 18.0
     ],
 )
 def test_joined_blades_are_as_stiff_as_their_solids(row):
     """``tests/benchmarks/crossed_solids.py``: beams that meet in a point are 29 % softer at 63°.
 
-    Of halves long enough that closed forms have shear and stretching.
+    Of halves long enough, and steep enough, that closed forms have shear and stretching.
 
-    The mesh of the solids leaves what the crossing stiffens 2 % too much.
+    The mesh of the solids leaves what the crossing stiffens up to 2.6 % too much.
     """
     h, b, crossing, degrees, *solids = row
     joint = TypeAdapter(AnyGeometry).validate_python({
@@ -417,7 +417,7 @@ def test_joined_blades_are_as_stiff_as_their_solids(row):
             for end in ("low", "value", "high")
         )
         more = crossed.stiffness.value - 1.0
-        assert low <= solid <= high + 0.02 * more
+        assert low <= solid <= high + 0.026 * more
         assert solid == pytest.approx(value, rel=0.03 * nu + 0.06 * more)
 
 

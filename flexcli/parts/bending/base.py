@@ -22,6 +22,7 @@ __all__ = [
     "FilletedRoots",
     "MovedAcross",
     "Thick",
+    "Turned",
     "WideAcross",
     "WideBlades",
     "WidePath",
@@ -201,6 +202,18 @@ class MovedAcross(NamedTuple):
     """The largest shift along it, where its change is not known."""
 
 
+class Turned(NamedTuple):
+    """What a travel t adds to the change of a stress: from least t to (most + grows t²) t.
+
+    Of travels up to the farthest; nobody knows beyond.
+    """
+
+    least: float = 0.0
+    most: float = 0.0
+    grows: float = 0.0
+    farthest: float = inf
+
+
 class CompliantClamps(NamedTuple):
     """Change of a joint's numbers by clamps that are not rigid.
 
@@ -218,8 +231,7 @@ class CompliantClamps(NamedTuple):
     shift: tuple[float, float]
     softest: float
     across: MovedAcross | None = None
-    turned: tuple[float, float] = (0.0, inf)
-    """Error of the stress for each unit of travel [1/rad or 1/m], and up to which travel."""
+    turned: Turned = Turned()
 
 
 class Thick(NamedTuple):

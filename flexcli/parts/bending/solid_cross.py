@@ -1,10 +1,11 @@
 """Blades that are one piece where they cross: what this changes of a joint."""
 
-from collections.abc import Callable
-from math import cos, exp, inf, isfinite, pi, sin, tan
+from collections.abc import Callable, Sequence
+from math import cos, exp, inf, pi, radians, sin, tan
 
 from flexcli.formulas import pivot
-from flexcli.formulas.plate_factors import bound
+from flexcli.formulas.joined_plates import OfHalves, joined_plates, solid_plates
+from flexcli.formulas.plate_factors import bound, flat_share
 from flexcli.formulas.solid_crossing import (
     ANGLES,
     FIT,
@@ -13,10 +14,9 @@ from flexcli.formulas.solid_crossing import (
     crossing_reach,
     crossing_shift,
     joined_across,
-    solid_crossing,
 )
 from flexcli.numerics.rows import number, one_alone
-from flexcli.parts.bending.base import CompliantClamps, Factor, MovedAcross
+from flexcli.parts.bending.base import CompliantClamps, Factor, MovedAcross, Turned
 from flexcli.parts.geometries.base import Blade
 
 __all__ = ["solid_cross", "with_roots"]
@@ -28,10 +28,16 @@ its beams and its crossing: plane elements of whole joints with halves of 0.16 t
 SHIFTING_ARM = 2.0
 """The same for the shift, whose orders in h/l are no longer in sequence below."""
 
-NARROW, WIDE = 3.0, 8.0
-"""Width of a blade, over half the length of the crossing, up to which this may not be flat all
-over, and from which on it is as flat as the blade: solids told 0.05 of it at 0.8, 0.2 at 1.3, 0.5
-to 0.8 at 4, all at 8."""
+NARROW = 3.0
+"""Width of a blade, over half the length of the crossing, up to which this may not be as in plane
+strain, of which it moves the body across."""
+
+LESS_FLAT, MORE_FLAT, LOOSENED = 0.2, 0.15, 0.5
+"""By how much less and more flat than the halves beyond it a crossing may be kept, over
+4 f (1 − f), f their flatness, and more by the part of h/b cot α by which these curl where it does
+not: solids from 60° to 84° of h/b cot α up to 0.15, b from 0.5 to 31 times half the length of the
+crossing, had 0.18 less, and 0.85 of what is more (``tests/benchmarks/crossed_solids.py``). Flatter
+joints tell little of it: their solids are in the range of all."""
 
 HELD_FLAT = 0.06
 """What a rigid clamp stiffens by keeping an end flat, over h²/l² and what the crossing stiffens:
@@ -41,10 +47,15 @@ OF_SECOND, OF_THIRD = 0.1, 40.0
 """Errors of the shift: part of its second order in h/l, to which one is added; and over (h/l)³ of
 the shorter half and 1 + cot²α, by plane elements of whole joints."""
 
-TURNED, TURNS_MOST = 0.09, 2.8
-"""What a rotation changes of what a crossing adds to the stress, over that and sin⁻² α cos⁻² α
-[1/rad], and the rotation up to which it is no more, over cot α [rad]: exact beams that begin beyond
-it had 0.073, from 5.5° to 84.5°, up to 0.7 rad."""
+STEEP = 60.0
+TURNED, TURNED_STEEP = (-0.035, 0.085, 0.0), (0.0, 0.045, 0.06)
+"""What a rotation θ adds to what a crossing adds to the stress, over θ times that and
+sin⁻² α cos⁻² α [1/rad]: the least, the most, and what this grows by tan α θ², up to a half-angle
+[deg] and beyond. Exact beams that begin beyond the crossing had −0.022 to 0.078 below, 0.012 to
+(0.043 + 0.053 tan α θ²) beyond, of crossings from 0.05 on, 6° to 84° and up to 0.7 rad."""
+
+TURNS_MOST = 2.8
+"""The rotation up to which it is no more, over cot α [rad]."""
 
 TURNS_FAR = 0.7
 """The largest rotation of those [rad]."""
@@ -77,17 +88,16 @@ def solid_cross(
     nu: float,
     crossing: float,
     half_angle: float,
-    flat: Callable[[float], float],
+    halves: Callable[[float], OfHalves],
     apart: tuple[float, float],
 ) -> CompliantClamps:
     """Return the changes by blades that are one piece where they cross, ν ½ where not given.
 
-    The moment in the crossing rises with the stiffness. ``flat`` is the stiffness over a beam's of
-    wide blades of a length, ``apart`` what their halves share otherwise for being wide, as
-    :func:`flexcli.parts.bending.wide.halves_apart` has it. A crossing much shorter than wide is as
-    flat as they are, at least, and does not curl at all, at most, one much longer curls; between
-    blades that are shorter by it, which are flatter. Nothing is known where a half does not reach
-    beyond the crossing, and nothing of the shift along the bisector where it hardly does.
+    The moment in the crossing rises with the stiffness. ``halves`` is what plates stiffen of both
+    that are rigid up to a length from the crossing, ``apart`` what they share otherwise for being
+    wide, as :func:`flexcli.parts.bending.wide.halves_apart` has it. A crossing is about as flat as
+    the halves beyond it, which are shorter by it and flatter. Nothing is known where a half does
+    not reach beyond the crossing, and nothing of the shift along the bisector where it hardly does.
     """
     one_alone()
     h, l, b = map(number, blade)
@@ -98,36 +108,43 @@ def solid_cross(
     if not ANGLES[0] <= half_angle <= ANGLES[1] or shortest < (reach + LEAST_ARM) * h:
         return _unknown(ratio)
     thickens = nu / (1.0 - nu)  # ν' of plane strain
-    held_flat = min(1.0, b / (NARROW * reach * h))
-    plane = (nu if nu < 0.5 else 0.0), nu + (thickens - nu) * held_flat
-    alone = [
-        float(
-            solid_crossing(h=h, l=l, half_angle=half_angle, crossing=crossing, poisson_ratio=each)
-        )
-        for each in plane
-    ]
+    plane = (nu if nu < 0.5 else 0.0), nu + (thickens - nu) * min(1.0, b / (NARROW * reach * h))
     rigid = float(crossing_offset(half_angle=half_angle)) * h
-    whole, shorter = flat(l), flat(l - 2.0 * rigid)
-    least = min(1.0, whole / (1.0 + number(bound(nu)) * held_flat))
-    most = whole / (1.0 + (whole - 1.0) * min(1.0, b / (WIDE * reach * h)))
-    stiffer = [_between_blades(each, share) for each in alone for share in (least, most)]
+    wide, beyond = halves(0.0), halves(rigid)
+    at = {"h": h, "l": l, "half_angle": half_angle, "crossing": crossing, "poisson_ratio": nu}
+    whole = float(joined_plates(**at, halves=wide))
+    ends = _flatness(beyond, [share * l for share in shares], rigid, nu, h / b / tan(half_angle))
+    stiffer = [float(solid_plates(**at, halves=beyond, flat=flat)) / whole for flat in ends]
+    if nu >= 0.5:  # which may be none as well
+        without = solid_plates(
+            h=h, l=l, half_angle=half_angle, crossing=crossing, poisson_ratio=0.0
+        )
+        stiffer.append(float(without))
     low, high = min(stiffer), max(stiffer)
+    if low <= 0.0:
+        return _unknown(ratio)
+    least, most = (whole / (1.0 + each * number(bound(nu))) for each in (1.0, ends[0]))
     held_ends = _held_ends(thickens, shortest / h - reach) * h / l * high**0.5
     held_ends += HELD_FLAT * (h / l) ** 2 * high
     low -= FIT * abs(low - 1.0)
-    high = (high + FIT * abs(high - 1.0)) * max(1.0, shorter / whole) * (1.0 + held_ends)
-    if not isfinite(high):
-        return _unknown(ratio)
+    high = (high + FIT * abs(high - 1.0)) * (1.0 + held_ends)
     middle = (low + high) / 2.0
     shift = -inf, inf
     if shortest >= (reach + SHIFTING_ARM) * h:
-        shifted = [_shift(l, shares, share * rigid) for share in (least, most)]
+        shifted = [_shift(l, shares, share * rigid) for share in (min(1.0, least), max(1.0, most))]
         g = float(crossing_shift(half_angle=half_angle))
         second = (h / l) ** 2 / sum(share**3 for share in shares)
         off = second * (1.0 + OF_SECOND * abs(g))
         off += OF_THIRD * ratio**3 * (1.0 + tan(half_angle) ** -2.0)
         shift = min(shifted) + g * second - off, max(shifted) + g * second + off
-    turned = TURNED / (sin(half_angle) * cos(half_angle)) ** 2
+    unsteady = max(abs(low - 1.0), abs(high - 1.0)) / (sin(half_angle) * cos(half_angle)) ** 2
+    lost, more, grows = TURNED if half_angle < radians(STEEP) else TURNED_STEEP
+    turned = Turned(
+        unsteady * (lost if low >= 1.0 else -more),
+        unsteady * more,
+        unsteady * grows * tan(half_angle),
+        min(TURNS_FAR, TURNS_MOST / tan(half_angle)),
+    )
     held = (1.0 - 1.5 * rigid / shortest) ** -2.0 if 1.5 * rigid < shortest else inf
     return CompliantClamps(
         ratio,
@@ -138,7 +155,7 @@ def solid_cross(
         shift,
         0.0,
         _across(blade, plane, crossing, half_angle, apart, (whole, whole * high)),
-        (turned * (high - 1.0), min(TURNS_FAR, TURNS_MOST / tan(half_angle))),
+        turned,
     )
 
 
@@ -176,13 +193,22 @@ def _held_ends(thickens: float, beyond: float) -> float:
     return 0.34 * thickens**2 / (1.0 + 0.7 * thickens) * min(1.0, 0.5 + 0.3 * beyond)
 
 
-def _between_blades(alone: float, share: float) -> float:
-    """Return what a crossing stiffens between blades that are ``share`` as stiff as it [-].
+def _flatness(
+    halves: OfHalves, lengths: Sequence[float], rigid: float, nu: float, loose: float
+) -> tuple[float, float]:
+    """Return the range of how flat a crossing is kept, from the halves beyond it [-].
 
-    ``alone`` is what it stiffens where both are alike: it takes 1 − 1/alone of the compliance.
+    These turn about a centre by which they are rigid; each by its share of the compliance.
     """
-    taken = (1.0 - 1.0 / alone) * share
-    return 1.0 / (1.0 - taken) if taken < 1.0 else inf
+    soft = flat = 0.0
+    for length, arc, bent in zip(lengths, halves.arcs, halves.bent, strict=True):
+        s_shaped = 12.0 * (0.5 + rigid / (length - rigid)) ** 2
+        compliance = (length - rigid) / (1.0 + s_shaped)
+        soft += compliance
+        flat += compliance * (1.0 + s_shaped) / (number(arc) + s_shaped * number(bent))
+    f = number(flat_share(soft / flat, nu))
+    apart = 4.0 * f * (1.0 - f)
+    return max(f - LESS_FLAT * apart, 0.0), min(f + MORE_FLAT * apart + LOOSENED * loose, 1.0)
 
 
 def _shift(l: float, shares: tuple[float, float], rigid: float) -> float:

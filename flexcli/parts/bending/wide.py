@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from math import inf, pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -10,10 +10,11 @@ from flexcli.formulas import pivot, plate_buckling, plate_shortening, thick_blad
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
+from flexcli.formulas.joined_plates import OfHalves, joined_plates, uneven_line
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment, shear_parameter
 from flexcli.formulas.solid_crossing import joined_across
-from flexcli.numerics.rows import cos, larger, number, one_alone, one_by_one, smaller, tan
+from flexcli.numerics.rows import Number, cos, larger, number, one_alone, one_by_one, smaller, tan
 from flexcli.parts.bending.base import (
     PULLED,
     SHORTEST,
@@ -29,7 +30,9 @@ if TYPE_CHECKING:
     from flexcli.mechanics.layout import Layout
 
 __all__ = [
+    "PlatesOfHalves",
     "halves_apart",
+    "plates_of_halves",
     "wide_by_shapes",
     "wide_cantilever",
     "wide_drawn",
@@ -56,6 +59,10 @@ plates, held on it, by Ritz's method (``tests/plates/crossed_strip.py``)."""
 LOOSE = 0.5
 """Part of h/b cot α by which joined blades widen less than held on their line: solids (CalculiX,
 ``tests/benchmarks/crossed_solids.py``) had 0.3 to 0.7."""
+
+UNEVENLY = 0.5
+"""Error of ``uneven_line``: thin plates held on a line had 0.4 at most, beside the errors of the
+factors."""
 
 LET_OFF = 0.1
 """Part of the change of a pivot's factors by stretching and shear that may be wrong: springs in
@@ -204,20 +211,21 @@ def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> 
     A blade that curls where they cross stretches the other by tan α of that, which holds it
     straight, the less the thicker they are and the flatter they cross; what turns unevenly along
     it is little. Both halves bear the same moment there, half that of the body: the stress rises as
-    the stiffness.
+    the stiffness. What rigid clamps stiffen by keeping ends as thick as they are is of
+    :mod:`flexcli.parts.bending.solid_cross`.
     """
     blade = _floats(blade)
     shares = (crossing, 1.0 - crossing)
     parts = [blade._replace(l=share * blade.l) for share in shares]
     each = [_factor(plates.pivot_factor, part, nu, delta=0.0) for part in parts]
+    loose = _loose(blade, half_angle)
+    at = {"half_angle": half_angle, "crossing": crossing, "poisson_ratio": nu}
     value, low, high = (
-        1.0 / sum(share / factor[i] for share, factor in zip(shares, each, strict=True))
-        for i in range(3)
+        number(joined_plates(h=blade.h, l=blade.l, halves=halves, **at))
+        for halves in plates_of_halves(blade, nu, crossing, half_angle)
     )
-    loose = smaller(blade.h / blade.b / tan(half_angle), 1.0)
-    over, most = value - 1.0, 1.0 + number(plates.bound(nu))
-    low = larger(1.0, low - (UNEVEN_LINE + loose) * over)
-    stiffness = Factor(larger(low, value - LOOSE * loose * over), low, smaller(most, high))
+    most = 1.0 + number(plates.bound(nu))
+    stiffness = Factor(value, larger(1.0, low), larger(value, smaller(most, high)))
     shift = _halves_shift(shares, parts, [factor.value for factor in each], nu, loose)
     longer, shorter = (
         blade._replace(l=choose(part.l for part in parts)) for choose in (larger, smaller)
@@ -229,7 +237,52 @@ def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> 
     bends = 4.0 / blade.l, -2.0 / blade.l  # at the cross and at the ends of either half
     widest = blade.b / smaller(part.l for part in parts)
     across = _halves_across(blade, nu, crossing, half_angle)
-    return WideBlades(widest, stiffness, stiffness, held, shift, None, bends, across=across)
+    # curvature flattens no more than clamps and line leave
+    left = smaller((most / stiffness.low - 1.0) / larger(most - 1.0, TINY), 1.0)
+    found = WideBlades(widest, stiffness, stiffness, held, shift, None, bends, across=across)
+    return found._replace(uneven=left)
+
+
+class PlatesOfHalves(NamedTuple):
+    """What plates stiffen of both halves of joined blades: the best value, the least, the most."""
+
+    value: OfHalves
+    low: OfHalves
+    high: OfHalves
+
+
+def plates_of_halves(
+    blade: Blade, nu: float, crossing: float, half_angle: float, rigid: Numbers = 0.0
+) -> PlatesOfHalves:
+    """Return what plates stiffen of both halves, which are rigid up to a length from their line."""
+    blade = _floats(blade)
+    loose = _loose(blade, half_angle)
+    uneven = number(uneven_line(b=blade.b, l=blade.l, crossing=crossing))
+    found = []
+    for index, (curls, off) in enumerate(((LOOSE, 0.0), (1.0, UNEVENLY), (0.0, -UNEVENLY))):
+        straight = larger(1.0 - curls * loose, 0.0)
+        even = larger(straight - (1.0 + off) * uneven, 0.0)
+        arcs, bent, pulled = [], [], []
+        for share in (crossing, 1.0 - crossing):
+            part = blade._replace(l=share * blade.l - number(rigid))
+            arc, s_shape = (
+                _of_plates(f, part, nu)[index]
+                for f in (plates.pure_bending_factor, plates.guided_factor)
+            )
+            if index == 2:  # clamps keep it from warping as it shears
+                at = {"h": part.h, "l": part.l, "poisson_ratio": nu, "flat": 0.0}
+                s_shape += number(plates.beyond_plate(**at)[1])
+            kept = number(sheets.axial_factor(b=part.b, l=part.l, poisson_ratio=nu))
+            arcs.append(1.0 + even * (arc - 1.0))
+            bent.append(1.0 + even * (s_shape - 1.0))
+            pulled.append(1.0 + straight * (kept - 1.0))
+        found.append(OfHalves(*((one, two) for one, two in (arcs, bent, pulled))))
+    return PlatesOfHalves(*found)
+
+
+def _loose(blade: Blade, half_angle: float) -> Number:
+    """Return by how much blades that cross let each other curl, h/b cot α, 1 at most [-]."""
+    return smaller(number(blade.h) / number(blade.b) / tan(half_angle), 1.0)
 
 
 def _halves_across(blade: Blade, nu: float, crossing: float, half_angle: float) -> WideAcross:
@@ -260,7 +313,7 @@ def halves_apart(
     a beam.
     """
     blade = _floats(blade)
-    loose = smaller(blade.h / blade.b / tan(half_angle), 1.0)
+    loose = _loose(blade, half_angle)
     ends = []
     for share in (crossing, 1.0 - crossing):
         part = blade._replace(l=share * blade.l)
@@ -525,13 +578,24 @@ def _buckling(blade: Blade, nu: float, ends: str) -> Factor:
     return _with_error(value, number(plates.factor_error(value, thin, fit)), blade, nu)
 
 
+def _of_plates(formula: Any, blade: Blade, nu: float) -> Factor:
+    """Return a factor with its error, of blades that do not shear and whose ends may thin."""
+    at = {"b": blade.b, "l": blade.l, "poisson_ratio": nu}
+    value, thin = number(formula(h=blade.h, **at)), number(formula(**at))
+    return _between_beam_and_plate(value, number(plates.factor_error(value, thin)), nu)
+
+
+def _between_beam_and_plate(value: float, error: float, nu: float) -> Factor:
+    most = 1.0 + number(plates.bound(nu))
+    return Factor(value, larger(1.0, value - error), smaller(most, value + error))
+
+
 def _with_error(value: float, error: float, blade: Blade, nu: float, ends: float = 6.0) -> Factor:
     """Return a factor with its range: of thin plates, and what thickness changes of wide ones."""
-    over = number(plates.bound(nu))
     flat = plates.flat_share(value, nu)
     beyond = plates.beyond_plate(h=blade.h, l=blade.l, poisson_ratio=nu, flat=flat, ends=ends)
     less, more = (value * number(each) for each in beyond)
-    low, high = larger(1.0, value - error), smaller(1.0 + over, value + error)
+    value, low, high, _ = _between_beam_and_plate(value, error, nu)
     return Factor(value, low - less, high + more)
 
 

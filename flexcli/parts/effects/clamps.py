@@ -21,7 +21,7 @@ from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.effects.plate import wide_of
 from flexcli.parts.geometries import Geometry, Sizes
 
-__all__ = ["ClampCompliance", "ClampStress", "RootRadius"]
+__all__ = ["ClampCompliance", "ClampStress", "RootRadius", "clamps_of"]
 
 
 UNSURE = 0.5
@@ -108,10 +108,10 @@ class ClampCompliance(ModelEffect):
             return {}
         found = {"stiffness": _within(*softened.stiffness[:3])}
         if softened.stiffness.other < inf:
-            # of what else bends blades, not of what they weigh
+            # of what else bends blades; of what they weigh blade mass has it
             half = _within(*(each**0.5 for each in softened.stiffness[:3]))
             found["stiffness"] = found["stiffness"]._replace(other=softened.stiffness.other)
-            found["frequency"] = half
+            found["frequency"] = half._replace(other=softened.stiffness.other)
         if any(scene.blade_force for scene in setting.scenes):
             found["buckling"] = _within(*softened.buckling[:3])
         if setting.largest_travel:
@@ -122,12 +122,10 @@ class ClampCompliance(ModelEffect):
                 most = larger(most, softened.loaded)
                 if not any(scene.moves for scene in setting.scenes):
                     least = smaller(least, 0.0)
-            turned = one_by_one(_turned, *softened.turned, setting.largest_travel)
-            found["stress"] = _between(least, most)
+            less, more = one_by_one(_turned, *softened.turned, setting.largest_travel)
+            found["stress"] = _between(least + less, most + more)
             if not any(scene.is_loaded for scene in setting.scenes):
                 found["stress"] = found["stress"]._replace(other=softened.stiffness.other)
-            if turned:
-                found["stress"] = _off(found["stress"], turned)
             found["shift"] = (
                 _between(*softened.shift)
                 if softened.across is None
@@ -203,9 +201,21 @@ _FILLETED: _Last[FilletedRoots] = _Last(
 )
 
 
-def _turned(each: float, most: float, travel: float) -> float:
-    """Return the error of a stress at a travel, unknown beyond the largest."""
-    return each * travel if travel <= most else inf
+def clamps_of(setting: Setting) -> CompliantClamps | None:
+    """Return what clamps that are not rigid change of a design, for ν = ½ where not given."""
+    return _CLAMPS.of(setting)
+
+
+def _turned(
+    least: float, most: float, grows: float, farthest: float, travel: float
+) -> tuple[float, float]:
+    """Return what a travel adds to the change of a stress, which nobody knows beyond the farthest.
+
+    A stress is never less than none.
+    """
+    if travel > farthest:
+        return -1.0, inf
+    return least * travel, (most + grows * travel**2) * travel
 
 
 def _beside(change: tuple[float, float], across: MovedAcross, travel: float) -> Change:

@@ -9,6 +9,7 @@ from flexcli.formulas import pivot
 from flexcli.formulas import unseparated as joined
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.card import Card, Range
+from flexcli.formulas.joined_plates import OfHalves
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.solid_crossing import crossed_blades
 from flexcli.mechanics.layout import Body, Layout
@@ -16,7 +17,7 @@ from flexcli.numerics.rows import number, one_by_one, smaller
 from flexcli.parts.base import QuantityOf, spec_error
 from flexcli.parts.bending import Bending, CompliantClamps, WideBlades
 from flexcli.parts.bending.joined import Joined
-from flexcli.parts.bending.wide import halves_apart, wide_halves
+from flexcli.parts.bending.wide import halves_apart, plates_of_halves, wide_halves
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
@@ -83,12 +84,12 @@ class UnseparatedPivot(BladePair):
         """Return the changes by the solid crossing and by compliant roots."""
         from flexcli.parts.bending.solid_cross import solid_cross, with_roots
 
-        def flat(l: float) -> float:
-            return self.wide_blades(sizes._replace(l=l), nu).stiffness.value
+        blade, at = self.blade(sizes), (nu, self.crossing, self.half_angle)
 
-        at = nu, self.crossing, self.half_angle
-        apart = halves_apart(self.blade(sizes), *at)
-        crossed = solid_cross(self.blade(sizes), *at, flat, apart)
+        def halves(rigid: float) -> OfHalves:
+            return plates_of_halves(blade, *at, rigid).value
+
+        crossed = solid_cross(blade, *at, halves, halves_apart(blade, *at))
         roots = super().compliant_clamps(sizes, nu)
         return crossed if roots is None else with_roots(crossed, roots)
 
