@@ -154,7 +154,8 @@ def uneven_line(*, b: ArrayLike, l: ArrayLike, crossing: ArrayLike) -> Floats:
 
     Notes
     -----
-    Within half of it and the errors of the factors: b/l from 0.02 to 6, c from 0.1 on, ν ≤ ½.
+    Within half of it and the errors of the factors: b/l from 0.02 to 6, c from 0.1 on, ν ≤ ½;
+    nearer to an end up to 0.04 more, or all of it less.
 
     Examples
     --------
