@@ -23,7 +23,6 @@ from flexcli.parts.requirements import (
     MisfitStress,
     Told,
 )
-from flexcli.parts.requirements.warm_shift import combined
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -299,6 +298,8 @@ class Corrected(JointModel):
 
         A material that leaves a shift unsure does so of that share, however small the whole is.
         """
+        from flexcli.parts.requirements.warm_shift import combined
+
         if not ask.scene.moves:
             return _between(*combined(self.inner.warm_shift(ask)))
         cold = ask._replace(scene=ask.scene.at_assembly())
