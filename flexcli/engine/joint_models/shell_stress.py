@@ -39,9 +39,14 @@ Floats = NDArray[np.float64]
 E_X = np.array([1.0, 0.0, 0.0])
 
 PLAIN = Effects(shear=False)
+"""Of the beams that shells are held against, which have none."""
 
 OF_PLATES, FLOOR = 0.02, 2e-3
-"""Errors: a share of what plates change, and the least, of the largest stress of the blade."""
+"""Errors: a share of what plates change, and the least, of the largest stress of the blade.
+
+CalculiX's solids of guides, cantilevers, stages, pivots and stars, b/l 0.15 to 3, h/l 0.003 to 0.06,
+travels to 0.3 l or 0.3 rad, were within 0.003 of the whole where they know it as well
+(``tests/benchmarks/shell_stresses.py``)."""
 
 
 class _States(NamedTuple):
