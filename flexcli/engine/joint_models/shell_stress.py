@@ -44,8 +44,8 @@ PLAIN = Effects(shear=False)
 OF_PLATES, FLOOR = 0.02, 2e-3
 """Errors: a share of what plates change, and the least, of the largest stress of the blade.
 
-CalculiX's solids of guides, cantilevers, stages, pivots and stars, b/l 0.15 to 3, h/l 0.003 to 0.06,
-travels to 0.3 l or 0.3 rad, were within 0.003 of the whole where they know it as well
+Solids (CalculiX) of guides, cantilevers, stages, pivots and stars, b/l 0.15 to 3, h/l 0.003 to 0.06
+and travels to 0.3 l or 0.3 rad, were within 0.003 of the whole where they know it as well
 (``tests/benchmarks/shell_stresses.py``)."""
 
 
