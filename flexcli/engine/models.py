@@ -17,6 +17,9 @@ MODEL_SERIES = ("closed-form", "linear", "exact", "shell", "solid")
 """What judges, the cheapest first."""
 
 
+OF_PLATES = (EffectName.PLATE_WIDENING, EffectName.ANTICLASTIC)
+"""Effects of wide blades in the plane, which shells have whole."""
+
 TOLD_BY_SHELLS = 0.01
 """Width of the range of a stress (relative) that shells of a joint of the plane leave."""
 
@@ -127,7 +130,9 @@ def _has_shells(design: DesignSpec) -> bool:
         of, is_known = design.requirements, design.material.poisson_ratio is not None
         asked = asked or bool(of.parasitic_shift or (is_known and (of.yielding or of.fatigue)))
     drawn = design.geometry.in_space and design.geometry.has_blades
-    return design.fixed_sizes() is not None and (drawn or asked) and not design.omitted
+    is_whole = drawn or not any(map(design.is_off, OF_PLATES))
+    is_whole = is_whole and not design.omitted
+    return design.fixed_sizes() is not None and (drawn or asked) and is_whole
 
 
 def _has_solids(design: DesignSpec) -> bool:

@@ -13,6 +13,7 @@ from flexcli.engine.joint_models.shell_stress import by_plates
 from flexcli.engine.models import NamedModel
 from flexcli.engine.solid.numbers import StressPlace
 from flexcli.engine.verifying.model_numbers import ModelNumbers
+from flexcli.errors import SolveError
 from flexcli.results import Verdict
 
 SOLIDS = [
@@ -104,3 +105,10 @@ def test_an_admissible_stroke_is_sought_by_beams():
     found = flexcli.check(yaml.safe_dump(guided()), model="shell").values["x_adm"]
     assert found.model == "exact"
     assert found == flexcli.check(yaml.safe_dump(guided()), model="exact").values["x_adm"]
+
+
+@pytest.mark.parametrize("effect", ["plate-widening", "anticlastic"])
+def test_shells_do_not_judge_by_what_a_spec_leaves_out(effect):
+    spec = guided(effects={effect: "off"})
+    with pytest.raises(SolveError, match="no shell model"):
+        flexcli.check(yaml.safe_dump(spec), model="shell")
