@@ -206,7 +206,7 @@ NOTCHED = {"kind": "notch-hinge", "e": "0.3 mm", "r": "2 mm", "b": "2 mm"}
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("hinge", "case", "least"), [
-    (NOTCHED, {"wrench": {"x": "1 N"}}, 1.03),
+    (NOTCHED, {"wrench": {"x": "1 N"}}, 0.99),  # of which beams are told the peak itself
     (FILLETED, {"wrench": {"theta_z": "0.01 N*m"}}, 1.07),
     (FILLETED, {"stroke": {"rotation": "1e-5 rad"}}, 1.07),
 ])  # fmt: skip

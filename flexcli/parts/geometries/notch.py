@@ -57,7 +57,7 @@ CONCENTRATION: Concentration = "deep-notch"
 
 MASSIVE: Final = "massive"
 
-FILLETS_CLAMP = 0.1
+FILLETS_CLAMP = 0.12
 """Share of the peak in the middle of a clamp that fillets have, over b/h, and over b/√(h r) where
 they are blunt: a clamp curls back over a length like b, and they give way over √(h r). The whole of
 it at most: solids of b/h 1 to 30, l/h 20 and 50, r/h 0.5 to 7 had 0.09 over b/h in narrow blades,
