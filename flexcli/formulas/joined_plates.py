@@ -5,34 +5,28 @@ the rest. Plates stiffen both otherwise, and what pulls a half; they do not stif
 """
 
 from math import pi
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.plate_factors import bound
-from flexcli.formulas.solid_crossing import ANGLES, crossing_compliance
+from flexcli.formulas.solid_crossing import (
+    ANGLES,
+    BEAMS,
+    OfHalves,
+    arms_in_a_point,
+    relieved,
+    with_crossing,
+)
 
-__all__ = ["CARDS", "OfHalves", "joined_plates", "solid_plates", "uneven_line"]
+__all__ = ["CARDS", "joined_plates", "solid_plates", "uneven_line"]
 
 Floats = NDArray[np.float64]
-Both = tuple[ArrayLike, ArrayLike]
 
 UNEVEN, UNEVEN_AT = 0.065, 0.45
 """Largest part of what plates add by which halves turn unevenly along their line, over (1 − 2c)²,
 and the width over the length at which it is."""
-
-
-class OfHalves(NamedTuple):
-    """Stiffness of both halves over beams': bent to an arc, to an S, and pulled [-]."""
-
-    arcs: Both = (1.0, 1.0)
-    bent: Both = (1.0, 1.0)
-    pulled: Both = (1.0, 1.0)
-
-
-BEAMS = OfHalves()
 
 
 def joined_plates(
@@ -82,7 +76,7 @@ def joined_plates(
 
     """
     at = h, l, half_angle, crossing, poisson_ratio
-    return np.asarray(_compliance(*at, BEAMS, None) / _compliance(*at, halves, None))
+    return np.asarray(relieved(arms_in_a_point(*at)) / relieved(arms_in_a_point(*at, halves)))
 
 
 def solid_plates(
@@ -131,7 +125,10 @@ def solid_plates(
 
     """
     at = h, l, half_angle, crossing, poisson_ratio
-    return np.asarray(_compliance(*at, BEAMS, None) / _compliance(*at, halves, flat))
+    nu, held = (np.asarray(each, dtype=np.float64) for each in (poisson_ratio, flat))
+    plane, stiffer = nu + held * (nu / (1.0 - nu) - nu), 1.0 + held * bound(nu)
+    solid = with_crossing(arms_in_a_point(*at, halves), half_angle, plane, stiffer)
+    return np.asarray(relieved(arms_in_a_point(*at)) / relieved(solid))
 
 
 def uneven_line(*, b: ArrayLike, l: ArrayLike, crossing: ArrayLike) -> Floats:
@@ -172,39 +169,6 @@ def uneven_line(*, b: ArrayLike, l: ArrayLike, crossing: ArrayLike) -> Floats:
     y = (np.asarray(b) / np.asarray(l) / UNEVEN_AT) ** 2
     uneven = (1.0 - 2.0 * np.asarray(crossing, dtype=np.float64)) ** 2
     return np.asarray(4.0 * UNEVEN * uneven * y / (1.0 + y) ** 2)
-
-
-def _compliance(
-    h: ArrayLike,
-    l: ArrayLike,
-    half_angle: ArrayLike,
-    crossing: ArrayLike,
-    poisson_ratio: ArrayLike,
-    halves: OfHalves,
-    flat: ArrayLike | None,
-) -> Floats:
-    """Return twice the energy of a unit moment, times E b h², with a crossing or none."""
-    t = np.asarray(h, dtype=np.float64) / np.asarray(l, dtype=np.float64)
-    share, nu = np.asarray(crossing, dtype=np.float64), np.asarray(poisson_ratio, dtype=np.float64)
-    aside = 2.0 * np.tan(np.asarray(half_angle, dtype=np.float64)) ** -2.0
-    whole, mixed, own, other = np.zeros(()), [], [], np.zeros(())
-    arrays = ([np.asarray(each, dtype=np.float64) for each in both] for both in halves)
-    for part, arc, bent, pulled in zip((share, 1.0 - share), *arrays, strict=True):
-        n = part / t
-        whole = whole + 24.0 * n / arc
-        mixed.append(-12.0 * n**2 / arc)
-        own.append(n**3 * (6.0 / arc + 2.0 / bent) + n * (4.8 * (1.0 + nu) + aside / pulled))
-    if flat is not None:
-        held = np.asarray(flat, dtype=np.float64)
-        stiffer = 1.0 + held * bound(nu)
-        plane = nu + held * (nu / (1.0 - nu) - nu)
-        c = crossing_compliance(half_angle=half_angle, poisson_ratio=plane)
-        whole, other = whole + c.moment / stiffer, c.other / stiffer
-        mixed = [each + c.mixed / stiffer for each in mixed]
-        own = [each + c.shear / stiffer for each in own]
-    (p, q), (one, two) = mixed, own
-    relieved = (p**2 * two + q**2 * one - 2.0 * p * q * other) / (one * two - other**2)
-    return np.asarray(whole - relieved)
 
 
 _ANGLES = (Range("half_angle", *ANGLES, unit="rad", why="computed and fitted between these"),)

@@ -15,20 +15,27 @@ from flexcli.formulas.card import Card, Range
 
 __all__ = [
     "ANGLES",
+    "BEAMS",
     "CARDS",
     "FIT",
+    "Arms",
     "CrossingCompliance",
     "JoinedAcross",
+    "OfHalves",
+    "arms_in_a_point",
     "crossed_blades",
     "crossing_compliance",
     "crossing_offset",
     "crossing_reach",
     "crossing_shift",
     "joined_across",
+    "relieved",
     "solid_crossing",
+    "with_crossing",
 ]
 
 Floats = NDArray[np.float64]
+Both = tuple[ArrayLike, ArrayLike]
 
 ANGLES = radians(5.0), radians(85.0)
 """Half-angles of the fits [rad]."""
@@ -316,9 +323,9 @@ def solid_crossing(
     ``tests/benchmarks/crossed_solids.py``).
 
     """
-    arms = _arms(h, l, half_angle, crossing, poisson_ratio)
-    solid = _with_crossing(arms, half_angle, poisson_ratio)
-    return np.asarray(_relieved(arms) / _relieved(solid))
+    arms = arms_in_a_point(h, l, half_angle, crossing, poisson_ratio)
+    solid = with_crossing(arms, half_angle, poisson_ratio)
+    return np.asarray(relieved(arms) / relieved(solid))
 
 
 def joined_across(
@@ -370,22 +377,33 @@ def joined_across(
     whole joints (``tests/benchmarks/plane_crossing.py``).
 
     """
-    arms = _arms(h, l, half_angle, crossing, poisson_ratio)
-    solid = _with_crossing(arms, half_angle, poisson_ratio)
+    arms = arms_in_a_point(h, l, half_angle, crossing, poisson_ratio)
+    solid = with_crossing(arms, half_angle, poisson_ratio)
     pulled = crossing_compliance(half_angle=half_angle, poisson_ratio=poisson_ratio).pulled
     alpha = np.asarray(half_angle, dtype=np.float64)
     t = np.asarray(h, dtype=np.float64) / np.asarray(l, dtype=np.float64)
 
-    def moved(found: _Arms, pulls: Floats | float) -> Floats:
+    def moved(found: Arms, pulls: Floats | float) -> Floats:
         one, other = _shears(found)
         stretched = 2.0 / np.tan(alpha) * (one * arms.first - other * arms.second)
-        return np.asarray((stretched + pulls * (one - other)) / (np.sin(alpha) * _relieved(found)))
+        return np.asarray((stretched + pulls * (one - other)) / (np.sin(alpha) * relieved(found)))
 
     beams, whole = moved(arms, 0.0) * t, moved(solid, pulled) * t
     return JoinedAcross(beams, whole, (moved(solid, pulled + 1.0) * t - whole))
 
 
-class _Arms(NamedTuple):
+class OfHalves(NamedTuple):
+    """Stiffness of both halves over beams': bent to an arc, to an S, and pulled [-]."""
+
+    arcs: Both = (1.0, 1.0)
+    bent: Both = (1.0, 1.0)
+    pulled: Both = (1.0, 1.0)
+
+
+BEAMS = OfHalves()
+
+
+class Arms(NamedTuple):
     """Lengths of both halves over h, and the terms of twice the energy of all arms [-]."""
 
     first: Floats
@@ -396,44 +414,60 @@ class _Arms(NamedTuple):
     other: Floats
 
 
-def _arms(
+def arms_in_a_point(
     h: ArrayLike,
     l: ArrayLike,
     half_angle: ArrayLike,
     crossing: ArrayLike,
     poisson_ratio: ArrayLike,
-) -> _Arms:
-    """Return Timoshenko's arms that meet in a point."""
+    halves: OfHalves = BEAMS,
+) -> Arms:
+    """Return Timoshenko's arms that meet in a point, stiffened as plates are but in shear.
+
+    The moment falls from M to M − V x: an arc by its mean, an S by the rest.
+    """
     t = np.asarray(h, dtype=np.float64) / np.asarray(l, dtype=np.float64)
     share = np.asarray(crossing, dtype=np.float64)
     nu, across = np.asarray(poisson_ratio, dtype=np.float64), np.tan(np.asarray(half_angle)) ** -2.0
-    first, second = share / t, (1.0 - share) / t
-    soft = 4.8 * (1.0 + nu) + 2.0 * across
-    own = 8.0 * first**3 + soft * first, 8.0 * second**3 + soft * second
-    mixed = -12.0 * first**2, -12.0 * second**2
-    return _Arms(first, second, 24.0 / t, mixed, own, np.zeros(()))
+    lengths = share / t, (1.0 - share) / t
+    moment, mixed, own = np.zeros(()), list[Floats](), list[Floats]()
+    arrays = ([np.asarray(each, dtype=np.float64) for each in both] for both in halves)
+    for n, arc, bent, pulled in zip(lengths, *arrays, strict=True):
+        moment = moment + 24.0 * n / arc
+        mixed.append(-12.0 * n**2 / arc)
+        own.append(n**3 * (6.0 / arc + 2.0 / bent) + n * (4.8 * (1.0 + nu) + 2.0 * across / pulled))
+    return Arms(*lengths, moment, (mixed[0], mixed[1]), (own[0], own[1]), np.zeros(()))
 
 
-def _with_crossing(arms: _Arms, half_angle: ArrayLike, poisson_ratio: ArrayLike) -> _Arms:
-    """Return the energies of arms with what their crossing gives way beside them."""
+def with_crossing(
+    arms: Arms, half_angle: ArrayLike, poisson_ratio: ArrayLike, stiffer: ArrayLike = 1.0
+) -> Arms:
+    """Return the energies of arms with what their crossing gives way beside them.
+
+    ``stiffer`` is its modulus over that of beams.
+    """
     c = crossing_compliance(half_angle=half_angle, poisson_ratio=poisson_ratio)
+    moment, mixed, shear, other = (
+        each / np.asarray(stiffer, dtype=np.float64)
+        for each in (c.moment, c.mixed, c.shear, c.other)
+    )
     (p, q), (a, b) = arms.mixed, arms.own
     return arms._replace(
-        moment=arms.moment + c.moment,
-        mixed=(p + c.mixed, q + c.mixed),
-        own=(a + c.shear, b + c.shear),
-        other=c.other,
+        moment=arms.moment + moment,
+        mixed=(p + mixed, q + mixed),
+        own=(a + shear, b + shear),
+        other=other,
     )
 
 
-def _shears(arms: _Arms) -> tuple[Floats, Floats]:
+def _shears(arms: Arms) -> tuple[Floats, Floats]:
     """Return V₁ h and V₂ h over M, at which the energy is least."""
     (p, q), (a, b), other = arms.mixed, arms.own, arms.other
     least = a * b - other * other
     return (q * other - p * b) / least, (p * other - q * a) / least
 
 
-def _relieved(arms: _Arms) -> Floats:
+def relieved(arms: Arms) -> Floats:
     """Return the compliance of a moment where both shears are as its energy is least."""
     (p, q), (one, other) = arms.mixed, _shears(arms)
     return arms.moment + p * one + q * other

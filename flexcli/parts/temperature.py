@@ -161,8 +161,9 @@ def held_stress(
 def held_lengths(layout: Layout, material: Material) -> dict[str, float]:
     """Return by how much the growth of each blade is unsure by clamps that hold it across [-].
 
-    All of what any Poisson's ratio makes counts where it is not given; so does what holding the
-    thickness makes of a crystal or a sheet, which have another one there.
+    It has the sign of what the blade grows more than its clamps. All of what any Poisson's ratio
+    makes counts where it is not given; so does what holding the thickness makes of a crystal or a
+    sheet, which have another one there.
     """
     found = dict[str, float]()
     for blade in layout.blades:
@@ -178,7 +179,7 @@ def held_lengths(layout: Layout, material: Material) -> dict[str, float]:
         if material.elastic.nu is None:
             least, middle, most = (held_share(blade, nu) for nu in (0.0, MIDDLE_NU, 0.5))
             unsure += max(middle - least, most - middle)
-        found[blade.name] = abs(own - (first + second) / 2.0) * unsure
+        found[blade.name] = (own - (first + second) / 2.0) * unsure
     return found
 
 

@@ -365,8 +365,8 @@ class ExactModel(JointModel):
         weights, off, plates = BladeWeights.of(ask), 0.0, self._plates(ask)
         for index, blade in enumerate(state.layout.blades):
             fine = blade_stress(state, blade.name, POINTS)
-            total, hinge = self.stress_along(ask, index, POINTS), beside_beam(blade, fine)
-            own = 0.0
+            total = fine if plates is None else plates.added(index, fine)
+            hinge, own = beside_beam(blade, fine), 0.0
             if hinge is not None:
                 total = total._replace(bending=total.bending + hinge[0])
             if weights is not None:

@@ -31,7 +31,7 @@ class ExactWithShells(ExactModel):
     def __init__(self, effects: Effects | None = None) -> None:
         super().__init__(effects)
         self._known_pairs = Remembered("shell", of_blades=True)
-        self._known_plates: Remembered[PlateStresses | None] = Remembered("shell", of_blades=True)
+        self._known_plates: Remembered[PlateStresses] = Remembered("shell", of_blades=True)
         self._known_stresses = Remembered("shell", of_blades=True)
         self._stresses_of_beams: Remembered[tuple[list[EndStress], float]]
         self._stresses_of_beams = Remembered("exact", of_blades=True)
@@ -52,7 +52,9 @@ class ExactWithShells(ExactModel):
 
     def _plates(self, ask: Ask) -> PlateStresses | None:
         """Return what plates add to the stress of beams, where shells tell it."""
-        return self._known_plates.of("plates", ask, lambda: _by_plates(ask))
+        with suppress(NotAvailable):
+            return self._known_plates.of("plates", ask, partial(by_plates, ask))
+        return None
 
     def _judged(self, ask: Ask) -> tuple[list[EndStress], float]:
         if self._plates(ask) is None:
@@ -84,9 +86,3 @@ class ExactWithShells(ExactModel):
     ) -> Iterator[tuple[Told, str]]:
         """Yield the largest stress of each missed seat, by shells."""
         return SpaceShellModel().misfit_stresses(ask, small)
-
-
-def _by_plates(ask: Ask) -> PlateStresses | None:
-    with suppress(NotAvailable):
-        return by_plates(ask)
-    return None

@@ -40,6 +40,7 @@ __all__ = [
     "over_travels",
     "paths",
     "solved",
+    "state_of",
     "turned",
     "warmed",
 ]
@@ -396,8 +397,8 @@ def _by_small_steps(
             break
     if not loads or not state.converged.all():
         return state
-    patterns = [tuple(_state_of(held, loads, which)[1]) for which in range(states)]
-    effects, (there, _) = how.get("effects"), _state_of(held, loads, 0)
+    patterns = [tuple(state_of(held, loads, which)[1]) for which in range(states)]
+    effects, (there, _) = how.get("effects"), state_of(held, loads, 0)
     known = {each: _borne_straight(layout, there, each, effects) for each in set(patterns)}
     bears = np.array([known[each] for each in patterns])
     for stride in (*STRIDES, inf):
@@ -416,7 +417,7 @@ def _prove_buckled(
     What is held stands still where it is meanwhile. A path that is lost proves nothing.
     """
     one_alone()
-    there, pattern = _state_of(held, loads, which)
+    there, pattern = state_of(held, loads, which)
     bears = _borne_straight(layout, there, pattern, effects)
     reaches = [reach * bears for reach in (NEAR, FAR) if reach * bears < 1.0]
     # loads a thousand times as large would be walked in strides in which the path is lost
@@ -430,7 +431,7 @@ def _prove_buckled(
         raise Buckled(found.factor)
 
 
-def _state_of(held: Held, loads: Sequence[Load], which: int) -> tuple[Held, list[Load]]:
+def state_of(held: Held, loads: Sequence[Load], which: int) -> tuple[Held, list[Load]]:
     """Return what is held, and the loads, in one of several states."""
 
     def one(number: Any) -> float | None:

@@ -29,7 +29,15 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements import Ask
 
-__all__ = ["LEVELS", "TOLERANCE", "check_thin", "narrowed", "shift_by_shells"]
+__all__ = [
+    "LEVELS",
+    "TOLERANCE",
+    "check_thin",
+    "length_of",
+    "narrowed",
+    "shift_by_shells",
+    "upright",
+]
 
 LEVELS, TOLERANCE = (FIRST_GUESS, 12, 16, 20, 24), 2e-3
 """Modes along a blade, and by how much forces and motions may differ from one to the next."""
@@ -89,7 +97,7 @@ def shift_by_shells(ask: Ask) -> tuple[float, float]:
 
     """
     one_alone()
-    layout = _upright(ask)
+    layout = _thin(ask)
     found = list[tuple[float, float]]()
     beams = list[float]()
     for travel in ask.scene.stroke_ends:
@@ -115,7 +123,7 @@ def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[floa
     sheared = abs(abs(beams / wide.beams) - 1.0)
     error = abs(wide.coarser / wide.shells - 1.0) + apart / widened
     error += OF_SHEAR * sheared + OF_PLATES * abs(widened - 1.0) + wide.unsure
-    least = _length(min(layout.blades, key=_length)) if ask.geometry.motion == "rotation" else 1.0
+    least = min(map(length_of, layout.blades)) if ask.geometry.motion == "rotation" else 1.0
     lost = abs(travel) * least / abs(beams)
     if lost * LEAST > 1.0:
         raise NotAvailable("has a shift that is lost in rounding")
@@ -123,10 +131,15 @@ def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[floa
     return beams * widened, error + FLOOR
 
 
-def _upright(ask: Ask) -> Layout:
+def _thin(ask: Ask) -> Layout:
     """Return the joint, all its blades in one plane, where shells are known."""
     layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
     check_thin(ask, layout)
+    return upright(layout)
+
+
+def upright(layout: Layout) -> Layout:
+    """Return a layout all of whose blades are in one plane."""
     return replace(layout, blades=tuple(replace(blade, z=0.0) for blade in layout.blades))
 
 
@@ -140,7 +153,7 @@ def check_thin(ask: Ask, layout: Layout) -> None:
     for blade in layout.blades:
         if not isinstance(blade.profile, Constant):
             raise NotAvailable("has blades of varying thickness, of which there are no shells")
-        h, b, l = float(blade.profile.h), float(blade.b), _length(blade)
+        h, b, l = float(blade.profile.h), float(blade.b), length_of(blade)
         thin = h <= THICKEST * l and h <= STOUTEST * b
         if not (thin and NARROWEST * l <= b <= WIDEST * (1.0 + ROUNDING) * l):
             raise NotAvailable("has blades of which no shells were held against solids")
@@ -201,7 +214,7 @@ def _by_law(ask: Ask, layout: Layout, travel: float, plain: Equilibrium) -> floa
         found = blade_stress(plain, blade.name)
         most = max(most, float(np.abs(found.axial).max()) / E)
         whole = np.trapezoid((found.bending[0] / E) ** 2, found.s[0])
-        longer[blade.name] = 0.5 * float(whole) / _length(blade)
+        longer[blade.name] = 0.5 * float(whole) / length_of(blade)
     other = _beams(ask, replace(layout, blade_growth=longer), travel, Effects(shear=False))
     shift, changed = (float(shifts_of(state, ask)[0]) for state in (plain, other))
     return abs(changed / shift - 1.0) + OF_STRAIN * most
@@ -212,6 +225,7 @@ def _beams(ask: Ask, layout: Layout, travel: float, effects: Effects) -> Equilib
     return solved(layout, {MOVING: ask.geometry.held(travel)}, effects=effects)
 
 
-def _length(blade: Blade) -> float:
+def length_of(blade: Blade) -> float:
+    """Return the length of a blade [m]."""
     x, y = np.subtract(blade.end, blade.start)
     return float(np.hypot(x, y))

@@ -6,21 +6,27 @@ taken from it; what is left is added to the stress of exact beams, which shear.
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.face_stress import PlateStresses
-from flexcli.engine.joint_models.joint_states import of_case, solved
-from flexcli.engine.joint_models.shell_shift import LEVELS, TOLERANCE, check_thin, narrowed
+from flexcli.engine.joint_models.joint_states import of_case, solved, state_of
+from flexcli.engine.joint_models.shell_shift import (
+    LEVELS,
+    TOLERANCE,
+    check_thin,
+    length_of,
+    narrowed,
+    upright,
+)
 from flexcli.errors import SolveError
 from flexcli.formulas.plate_factors import beyond_plate
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Layout, Load
-from flexcli.mechanics.mesh import Effects, column
+from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.shell.first_guess import shells_from_beams
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.exact.rotation import matrix_of
@@ -120,9 +126,8 @@ def _thick(ask: Ask, layout: Layout) -> Floats:
     found = []
     for blade in layout.blades:
         assert isinstance(blade.profile, Constant)  # of which there are shells
-        l = float(np.hypot(*np.subtract(blade.end, blade.start)))
-        nu = ask.material.elastic.most_nu
-        found.append(np.max(beyond_plate(h=blade.profile.h, l=l, poisson_ratio=nu)))
+        at = {"l": length_of(blade), "poisson_ratio": ask.material.elastic.most_nu}
+        found.append(np.max(beyond_plate(h=blade.profile.h, **at)))
     return np.array(found)
 
 
@@ -130,10 +135,9 @@ def _states(ask: Ask, *, is_narrow: bool) -> _States:
     """Return the states of a case by shells."""
 
     def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> _States:
-        upright = replace(layout, blades=tuple(replace(b, z=0.0) for b in layout.blades))
-        drawn = narrowed(upright) if is_narrow else upright
+        drawn = narrowed(upright(layout)) if is_narrow else upright(layout)
         beams = solved(drawn, held, loads=loads, effects=PLAIN)
-        each = [_by_shells(ask, drawn, *_one(held, loads, i)) for i in range(beams.designs)]
+        each = [_by_shells(ask, drawn, *state_of(held, loads, i)) for i in range(beams.designs)]
         motions, shells, coarser = (np.stack(part) for part in zip(*each, strict=True))
         found = [_at_ends(blade_stress(beams, blade.name)) for blade in drawn.blades]
         return _States(motions, shells, coarser, np.stack(found, axis=1))
@@ -146,38 +150,23 @@ def _at_ends(found: BladeStress) -> Floats:
     return np.concatenate(ends, axis=-1)
 
 
-def _one(held: Held, loads: Sequence[Load], which: int) -> tuple[Held, list[SpaceLoad]]:
-    """Return what is held, and the loads in space, in one of several states."""
-
-    def at(number: Any) -> float:
-        values = column(number)
-        return float(values[which if values.size > 1 else 0])
-
-    there: Held = {
-        body: tuple(None if x is None else at(x) for x in motion)  # type: ignore[misc]
-        for body, motion in held.items()
-    }
-    return there, [
-        SpaceLoad(
-            load.body,
-            (float(load.point[0]), float(load.point[1]), 0.0),
-            (at(load.force[0]), at(load.force[1]), 0.0),
-            (0.0, 0.0, at(load.moment)),
-        )
-        for load in loads
-    ]
+def _in_space(load: Load) -> SpaceLoad:
+    """Return a load in the plane as one in space."""
+    point = float(load.point[0]), float(load.point[1]), 0.0
+    return SpaceLoad(load.body, point, (*load.force, 0.0), (0.0, 0.0, load.moment))
 
 
 def _by_shells(
-    ask: Ask, layout: Layout, held: Held, loads: Sequence[SpaceLoad]
+    ask: Ask, layout: Layout, held: Held, loads: Sequence[Load]
 ) -> tuple[Floats, Floats, Floats]:
     """Return motions of the bodies in the plane and stresses at the ends of blades, two levels."""
     space = from_plane(layout, MOVING, turns=ask.geometry.motion == "rotation")
     motions = {body: (x, y, None, None, None, phi) for body, (x, y, phi) in held.items()}
     try:
         state = solve(
-            space, motions, loads=loads, tolerance=TOLERANCE, levels=LEVELS, made=shells_from_beams
-        ).checked()
+            space, motions, loads=[_in_space(load) for load in loads],
+            tolerance=TOLERANCE, levels=LEVELS, made=shells_from_beams,
+        ).checked()  # fmt: skip
     except SolveError as error:
         raise NotAvailable(f"has no stress by shells: {error}") from error
     if state.coarser is None or (state.unstable and (loads or _moves(held))):

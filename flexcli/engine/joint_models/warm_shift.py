@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.joint_states import layout_of, warmed
 from flexcli.formulas.plate_factors import bound
 from flexcli.mechanics.layout import Blade, Layout
-from flexcli.mechanics.mesh import column
+from flexcli.mechanics.mesh import single
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.geometries.base import Held
 from flexcli.parts.requirements import Ask
@@ -77,12 +77,11 @@ def _variants(
     """
     changes = len(alike) if len(alike) > 1 else 0
     designs = 1 + len(alike) + changes
-    growth = {name: np.full(designs, column(g)[0]) for name, g in layout.blade_growth.items()}
+    growth = {name: np.full(designs, single(g)) for name, g in layout.blade_growth.items()}
     width = {blade.name: np.ones(designs) for blade in layout.blades}
     for index, names in enumerate(alike):
         for name in names:
-            beside = growth[name][0] - _of_clamps(layout, name)
-            growth[name][1 + index] += np.copysign(unsure[name], beside)
+            growth[name][1 + index] += unsure[name]
             if changes:
                 width[name][1 + len(alike) + index] += plates
     return replace(_wider(layout, width), blade_growth=growth)
@@ -97,20 +96,13 @@ def _drifted(layout: Layout, unlike: Mapping[str, float]) -> Layout:
     return _wider(layout, width) if names else layout
 
 
-def _of_clamps(layout: Layout, name: str) -> float:
-    """Return the mean strain of what clamps a blade."""
-    blade = next(each for each in layout.blades if each.name == name)
-    ends = (column(layout.body_growth[body])[0] for body in (blade.first, blade.second))
-    return float(sum(ends)) / 2.0
-
-
 def _alike(blades: Iterable[Blade]) -> list[list[str]]:
     """Return the names of blades of the same sizes, together."""
     found = dict[tuple[str, ...], list[str]]()
     for blade in blades:
         l = float(np.hypot(*np.subtract(blade.end, blade.start)))
         thick = (np.ravel(each.thickness(ALONG_PIECE)) for each in blade.profile.pieces(l))
-        sizes = (l, float(column(blade.b)[0]), *np.concatenate(list(thick)).tolist())
+        sizes = (l, single(blade.b), *np.concatenate(list(thick)).tolist())
         key = (type(blade.profile).__name__, *(f"{size:.{DIGITS}g}" for size in sizes))
         found.setdefault(key, []).append(blade.name)
     return list(found.values())

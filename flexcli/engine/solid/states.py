@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.joint_states import state_of
 from flexcli.engine.solid.calculix import Printed
 from flexcli.engine.solid.deck import Deck, State, states_deck
 from flexcli.engine.solid.deck_model import MM, MPA
@@ -88,26 +89,7 @@ def _states(held: Held, loads: Sequence[Load]) -> list[State]:
     numbers = [v for motion in held.values() for v in motion if v is not None]
     numbers += [x for load in loads for x in (*load.force, load.moment)]
     count = max((column(x).size for x in numbers), default=1)
-
-    def at(number: object, i: int) -> float:
-        values = column(number)
-        return float(values[i if values.size > 1 else 0])
-
-    def where(number: object, i: int) -> float | None:
-        return None if number is None else at(number, i)
-
-    return [
-        State(
-            {name: (where(x, i), where(y, i), where(phi, i)) for name, (x, y, phi) in held.items()},
-            [
-                load._replace(
-                    force=(at(load.force[0], i), at(load.force[1], i)), moment=at(load.moment, i)
-                )
-                for load in loads
-            ],
-        )
-        for i in range(count)
-    ]
+    return [State(*state_of(held, loads, i)) for i in range(count)]
 
 
 def _face_stress(

@@ -4,16 +4,18 @@ from collections.abc import Callable, Sequence
 from math import cos, exp, inf, pi, radians, sin, tan
 
 from flexcli.formulas import pivot
-from flexcli.formulas.joined_plates import OfHalves, joined_plates, solid_plates
+from flexcli.formulas.joined_plates import joined_plates, solid_plates
 from flexcli.formulas.plate_factors import bound, flat_share
 from flexcli.formulas.solid_crossing import (
     ANGLES,
     FIT,
+    OfHalves,
     crossing_compliance,
     crossing_offset,
     crossing_reach,
     crossing_shift,
     joined_across,
+    solid_crossing,
 )
 from flexcli.numerics.rows import number, one_alone
 from flexcli.parts.bending.base import CompliantClamps, Factor, MovedAcross, Turned
@@ -116,10 +118,7 @@ def solid_cross(
     ends = _flatness(beyond, [share * l for share in shares], rigid, nu, h / b / tan(half_angle))
     stiffer = [float(solid_plates(**at, halves=beyond, flat=flat)) / whole for flat in ends]
     if nu >= 0.5:  # which may be none as well
-        without = solid_plates(
-            h=h, l=l, half_angle=half_angle, crossing=crossing, poisson_ratio=0.0
-        )
-        stiffer.append(float(without))
+        stiffer.append(float(solid_crossing(**{**at, "poisson_ratio": 0.0})))
     low, high = min(stiffer), max(stiffer)
     if low <= 0.0:
         return _unknown(ratio)

@@ -10,10 +10,10 @@ from flexcli.formulas import pivot, plate_buckling, plate_shortening, thick_blad
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
-from flexcli.formulas.joined_plates import OfHalves, joined_plates, uneven_line
+from flexcli.formulas.joined_plates import joined_plates, uneven_line
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment, shear_parameter
-from flexcli.formulas.solid_crossing import joined_across
+from flexcli.formulas.solid_crossing import OfHalves, joined_across
 from flexcli.numerics.rows import Number, cos, larger, number, one_alone, one_by_one, smaller, tan
 from flexcli.parts.bending.base import (
     PULLED,

@@ -9,9 +9,8 @@ from flexcli.formulas import pivot
 from flexcli.formulas import unseparated as joined
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.joined_plates import OfHalves
 from flexcli.formulas.quantity import Computed
-from flexcli.formulas.solid_crossing import crossed_blades
+from flexcli.formulas.solid_crossing import OfHalves, crossed_blades
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.numerics.rows import number, one_by_one, smaller
 from flexcli.parts.base import QuantityOf, spec_error
