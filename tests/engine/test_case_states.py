@@ -6,6 +6,7 @@ import pytest
 from geometries_for_tests import MATERIAL, spec
 from strategies import crossed, design, rcc, stage
 
+import flexcli
 from flexcli.engine.check import check
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.linear import LinearModel
@@ -401,3 +402,21 @@ def test_a_deflection_that_curves_a_wide_blade_is_in_the_error_of_straight_ones(
     assert exact.demand < linear.demand * (1.0 - 3.0 * share**2)
     assert linear.factor_range[0] <= exact.factor_range[0]
     assert exact.factor_range[1] <= linear.factor_range[1]
+
+
+@pytest.mark.parametrize("model", ["linear", "exact"])
+def test_a_stroke_beside_a_load_is_told_without_poisson_s_ratio(model):
+    """A force that pulls all three blades of a pivot alike moves none of its stroke."""
+    text = """
+flexure: 1
+material: {youngs_modulus: 143 GPa, yield_strength: 200 MPa}
+geometry: {kind: three-blade, h: 0.2 mm, l: 20 mm, b: 1 mm, p: 0 mm}
+cases:
+  alone: {stroke: {rotation: 1 mrad}}
+  beside: {stroke: {rotation: 1 mrad}, load: {force: 1 mN}}
+requirements: {yield: 1}
+"""
+    alone, beside = (c for c in flexcli.check(text, model=model).checks if "yield" in c.name)
+    pull = 1e-3 / (0.2e-3 * 1e-3)
+    assert alone.demand <= beside.demand <= (alone.demand + pull) * 1.001
+    assert (beside.factor_range is not None) is (model == "exact")

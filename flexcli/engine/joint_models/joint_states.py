@@ -268,7 +268,7 @@ def _sag(
     own = geometry.own_mass > 0.0 and any(any(field[:2]) for field in scene.accelerations)
     if scene.push == 0.0 and not own:
         # a moment on a stage moves it, a force along the axis of symmetry nothing
-        straight = linear(layout, held, loads=loads)
+        straight = linear(layout, held, loads=loads, effects=blades_of(layout, Effects()))
         if not _is_driven(straight.motions[:, body], layout, driven_axis(geometry)):
             return 0.0
     state = solver(layout, held, loads)
