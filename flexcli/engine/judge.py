@@ -356,7 +356,7 @@ class _Series:
     def _overborne(self, checks: Mapping[str, Check], scene: Scene) -> dict[str, Check]:
         """Return the open checks of a strength that fail by the equilibrium of the loads alone."""
         open_ = {name: c for name, c in checks.items() if c.verdict is Verdict.UNDECIDED}
-        if not open_ or not scene.is_loaded:
+        if not open_ or not (scene.is_loaded or scene.across_by):
             return {}
         from flexcli.engine.joint_models.equilibrium_stress import least_stress
 

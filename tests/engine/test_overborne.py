@@ -42,6 +42,36 @@ def test_what_the_sections_may_bear_is_not_failed_by_their_area(kind):
     assert found.verdict == "undecided", found
 
 
+ALONE = """flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, density: 4430 kg/m^3,
+           yield_strength: {strength} Pa}}
+geometry: {{{kind}, h: 0.1 mm, l: 20 mm, b: 1 mm}}
+mechanism: {mechanism}
+cases: {{work: {{stroke: {{translation: [0 mm, {low} mm]}}, wrench: {{{force} N}}}}}}
+requirements: {{yield: {factor}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "area", "force", "mechanism"),
+    [
+        ("kind: cantilever", 1e-7, "z: -100", "{kind: tip-mass, mass: 1 g, offset: 1 mm}"),
+        ("kind: leaf-spring-stage, blades: 2, spacing: 10 mm", 2e-7, "x: 1000",
+         "{kind: payload, mass: 1 g}"),
+    ],
+)  # fmt: skip
+def test_no_section_bears_more_whichever_way_a_force_is(kind, area, force, mechanism):
+    """Across the plane, and along a stroke that starts where the loads leave the stage."""
+    most = STRENGTH * area / abs(float(force[3:]))
+    of = {"strength": STRENGTH, "kind": kind, "force": force, "mechanism": mechanism}
+    said = [
+        flexcli.check(ALONE.format(**of, low=0.1, factor=asked)).checks[0]
+        for asked in (1.01 * most, 0.9 * most)
+    ]
+    assert said[0].verdict.value == "fail", said[0]
+    assert said[1].verdict.value != "pass"
+
+
 def test_a_stubby_blade_yields_before_it_buckles_across_its_width():
     """Johnson's parabola at the 3.75 GPa of Euler's load, which the material never bears."""
     text = """flexure: 1

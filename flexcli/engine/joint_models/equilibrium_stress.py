@@ -22,12 +22,17 @@ def least_stress(ask: Ask) -> float:
     A force that nothing else bears goes through the blades of the moving body: ``|F|/ΣA``, A their
     thinnest sections. No section bears more than its area times the largest von Mises stress in
     it, in whatever direction the force is. A drive that holds a stage takes what is along its
-    stroke. It is 0 where other parts than blades may bear a share.
+    stroke, but where this starts: there the loads leave the joint. It is 0 where other parts than
+    blades may bear a share.
     """
     one_alone()
     scene = ask.scene
-    axes = 1 if scene.moves and driven_axis(ask.geometry) == 1 else 2
-    forces = [np.array(each[:axes]) for each in (scene.stated, *scene.inertial) if any(each[:axes])]
+    if scene.on_bodies:
+        return 0.0
+    takes = scene.lock is not None or (scene.moves and 0.0 not in scene.stroke_ends)
+    borne = np.array([1.0, float(not (takes and driven_axis(ask.geometry) == 1)), 1.0])
+    each = (borne * wrench[:3] for wrench in (scene.stated, *scene.inertial))
+    forces = [force for force in each if np.any(force)]
     # ends that hold the body across one force may bear another
     if not forces or (len(forces) > 1 and hold_of(scene).across):
         return 0.0
