@@ -39,6 +39,7 @@ __all__ = [
     "beyond_first_order",
     "beyond_linear_sag",
     "changed_beside",
+    "either_way",
     "sag",
     "senses_beside",
 ]
@@ -76,6 +77,14 @@ def senses_beside(scene: Scene, groups: Sequence[Acting]) -> Iterator[tuple[floa
     """Yield the senses in which groups of loads act at once: a directed load in its own alone."""
     own = ((1.0,) if scene.directed and not g.acceleration.any() else (1.0, -1.0) for g in groups)
     return product(*own)
+
+
+def either_way(scene: Scene) -> Scene:
+    """Return a case whose stated loads have the senses that they have together.
+
+    A wrench acts either way, and so does a directed load beside it in one with it.
+    """
+    return scene._replace(directed=scene.directed and scene.wrench is None)
 
 
 def changed_beside(
@@ -153,7 +162,7 @@ def sag(joint: SpaceJoint, scene: Scene) -> Told:
     answer = joint.assembly.moved(row[:, None]).deformations[:, 0]
     error, heat = (
         joint.form(answer, state.moved.deformations[:, 0]).error,
-        changed_beside(joint, scene, beside),
+        changed_beside(joint, either_way(scene), beside),
     )
     if error is None or heat is None:
         return Told(found, None)

@@ -200,6 +200,43 @@ def test_a_sag_beside_a_push_that_nearly_buckles_a_stage_is_left_open():
     assert on_stage("acceleration: {level: 1 m/s^2, axis: x}", 0.01, asked).verdict is Verdict.PASS
 
 
+@pytest.mark.parametrize("share", [0.02, 0.05, 0.3, 0.5])
+def test_a_sag_beside_a_wrench_is_that_of_the_sense_that_pushes(share):
+    """A wrench acts either way: it pulls the blades straight, or pushes them."""
+    beside = f"acceleration: {{level: 1 m/s^2, axis: x}}, wrench: {{y: {share * PUSH} N}}"
+    row = on_stage(beside, 0.01, "sag: {max: 1 m}, yield")
+    weight = 0.01 * PUSH / 10.0
+    low, high = given(row)
+    assert low < pushed(share) * weight / 10e-3 < high
+    assert row.verdict is Verdict.PASS
+
+
+def test_a_body_that_buckles_a_joint_by_its_weight_fails_a_sag_beside_a_small_load():
+    beside = "acceleration: {level: 30 m/s^2, axis: y}, wrench: {x: 1 uN}"
+    row = on_stage(beside, 1.0, "sag: {max: 1 m}, yield")
+    assert row.verdict is Verdict.FAIL
+    assert row.factor == pytest.approx(1.0 / 3.0, rel=0.01)
+
+
+def test_a_column_that_may_buckle_fails_a_deflection_by_the_sense_that_pulls():
+    """How far a wrench at 0.97 of Euler's load pushes it nobody knows, but how far it pulls."""
+    h, l, b = 0.5e-3, 50e-3, 10e-3
+    force = 0.97 * 9.8696 / 4.0 * E * b * h**3 / 12.0 / l**2
+    text = f"""
+flexure: 1
+material: {{{{youngs_modulus: 114 GPa, poisson_ratio: 0, density: 1 kg/m^3}}}}
+geometry: {{{{kind: cantilever, h: {h} m, l: {l} m, b: {b} m}}}}
+cases: {{{{work: {{{{wrench: {{{{y: {force} N}}}}}}}}}}}}
+requirements: {{{{deflection: {{{{direction: y, max: {{most}} m}}}}}}}}
+"""
+    pulled = force * l / (E * b * h)
+    said = {
+        share: flexcli.check(text.format(most=share * pulled)).checks[0].verdict
+        for share in (0.95, 1.5)
+    }
+    assert said == {0.95: Verdict.FAIL, 1.5: Verdict.UNDECIDED}
+
+
 def test_a_stage_that_sags_gives_way_across_its_plane_as_at_a_stroke_as_far():
     text = """
 flexure: 1

@@ -329,13 +329,13 @@ class Corrected(JointModel):
             return self.inner.heat_in_sag(ask)
         from flexcli.parts.space_joint import joint_of
         from flexcli.parts.space_states import acting_groups
-        from flexcli.parts.strained_compliance import changed_beside
+        from flexcli.parts.strained_compliance import changed_beside, either_way
 
         try:
             joint = joint_of(ask._replace(scene=scene))
             stated = acting_groups(joint, scene._replace(inertial=(), accelerations=()))
             driven = ask.geometry.sags_along_stroke(scene.axis)
-            return changed_beside(joint, scene, stated, driven=driven)
+            return changed_beside(joint, either_way(scene), stated, driven=driven)
         except NotAvailable:  # no shear modulus, or no blades
             return None
 

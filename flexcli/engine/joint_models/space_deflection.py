@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
+from flexcli.engine.joint_models.posed_hinges import Pose, pose_of
 from flexcli.engine.joint_models.space_errors import strain_error
 from flexcli.engine.joint_models.space_stroke import (
     BEAMS,
@@ -31,10 +32,16 @@ from flexcli.mechanics.space.second_order import SecondOrder
 from flexcli.mechanics.space.states import Acting, SpaceState, action, combined, warmed
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.requirements import Ask, Told
-from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of, deflection_form
+from flexcli.parts.requirements.support import (
+    CENTRE,
+    DIRECTIONS,
+    compliance_of,
+    deflection_form,
+    form_in,
+)
 from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space, joint_of
 from flexcli.parts.space_states import acting_groups
-from flexcli.parts.strained_compliance import beside_wrench, senses_beside
+from flexcli.parts.strained_compliance import beside_wrench, either_way, senses_beside
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -101,7 +108,7 @@ class _Tangent(NamedTuple):
 
     Without a travel it is that of a temperature alone, the drive free. ``coarser`` is that on the
     level before; ``off`` is by what share of √(g·C g · f·C f) the motion g·C f may be off besides,
-    if that is known.
+    if that is known. ``pose`` is a joint of hinges as it stands there.
     """
 
     travel: float | None
@@ -109,6 +116,7 @@ class _Tangent(NamedTuple):
     finest: Floats
     coarser: Floats
     off: float | None
+    pose: Pose | None = None
 
 
 class _Told(NamedTuple):
@@ -188,7 +196,7 @@ def deflections(
     centre = joint.layout.body(joint.layout.drive.body).point
     state = action(assembly, Acting(0.0, along_cases(ask).T @ load, centre, np.zeros(3)))
     form = deflection_form(ask, sought, load)
-    found = []
+    found, failed = list[tuple[float, ErrorRange | None]](), list[NotAvailable]()
     for signs in senses_beside(scene, beside):
         strained = _Strained.by(ask, beside, signs)
         try:
@@ -200,21 +208,28 @@ def deflections(
             if not scene.moves:
                 ends = (None if strained.states else 0.0,)
             there = [_tangents(strained, travel, blades) for travel in ends]
-        except SolveError as failed:
-            raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
+        except SolveError as error:
+            raise NotAvailable(f"has no deflection by exact beams: {error}") from error
         asked = _Asked(strained, (sought, load), (rest, still), form, springs, mirrored=mirrored)
         for sign, moved in _either_way(strained, state, sought):
+            if isinstance(moved, NotAvailable):
+                failed.append(moved)
+                continue
             acting = combined([state], [sign])
             own = moved - sign * float(sought @ still @ load)
             for tangents in there:
                 told = [asked.from_rest(sign, own, tangents[0])]
-                told += [
-                    asked.by_tangent(sign, own, tangent, acting.loads)
-                    for tangent in tangents
-                    if tangent.travel != 0.0
-                ]
+                for tangent in tangents:
+                    if tangent.travel == 0.0:
+                        continue
+                    told.append(asked.by_tangent(sign, own, tangent, acting.loads))
+                    if tangent.pose is not None:
+                        told.append(asked.by_pose(sign, own, tangent, acting.loads))
                 found.append(min(told, key=lambda each: each.high - each.low).with_error)
-    return tuple(found)
+    if failed and not found:
+        raise failed[0]
+    # one sense may be more than is allowed, whatever the other is
+    return (*found, *((form.found, None) for _ in failed))
 
 
 class _Strained(NamedTuple):
@@ -332,15 +347,41 @@ class _Asked:
         work = float((one * other) ** 0.5)
         size = np.sqrt(np.outer((one, other), (one, other)))
         level = float(np.abs(pair @ (end.coarser - end.finest) @ pair.T / size).max())
+        own, doubt = self._by_size(sign, own, end, loads, work)
+        off = (end.off + level) * work + self._grown(own, work) + doubt
+        return _Told(sign * float(both) + own, -off, off)
+
+    def by_pose(self, sign: float, own: float, end: _Tangent, loads: Loads) -> _Told:
+        """Return it by the springs of hinges where the stroke has brought them.
+
+        Each counts as far as it gives way there under this load. What strains them there, and what
+        the level changes, is by beams and may be off by itself.
+        """
+        assert end.pose is not None  # it is asked of joints that have one
+        joint, beams, more = end.pose
+        first, known, work = form_in(self.strained.ask, joint, self.sought, self.load)
+        if known is None:
+            return _Told(sign * first + own, -inf, inf)
+        straight = form_in(self.strained.ask, beams, self.sought, self.load).found
+        tangent, before = (float(self.sought @ C @ self.load) for C in (end.beams, end.coarser))
+        own, doubt = self._by_size(sign, own, end, loads, work)
+        off = (more + self.strained.ask.clamp_softening) * work + self._grown(own, work) + doubt
+        off += abs(tangent - straight) + abs(tangent - before)
+        low, high = sorted(sign * end for end in known)
+        return _Told(sign * (first + tangent - straight) + own, low - off, high + off)
+
+    def _by_size(
+        self, sign: float, own: float, end: _Tangent, loads: Loads, work: float
+    ) -> tuple[float, float]:
+        """Return what the size of the load changes at the end of a stroke, and its doubt."""
         doubt = abs(own) * _largest_share(end.beams - self.still, self.still)
         # rotations about several axes do not add up
         turned = self.turns and bool(self.sought[3:].any())
         if end.travel is not None and doubt > ROUNDING * work and not turned:
             with suppress(NotAvailable, SolveError):
                 moved = _moved_at(self.strained, end.travel, loads, self.sought)
-                own, doubt = moved - sign * float(self.sought @ end.beams @ self.load), 0.0
-        off = (end.off + level) * work + self._grown(own, work) + doubt
-        return _Told(sign * float(both) + own, -off, off)
+                return moved - sign * float(self.sought @ end.beams @ self.load), 0.0
+        return own, doubt
 
     def _grown(self, own: float, work: float) -> float:
         """Return how far what the size of the load changes is off, infinite where nobody knows."""
@@ -355,7 +396,8 @@ class _Asked:
 def sag_changes(ask: Ask) -> Iterator[tuple[float, float]]:
     """Yield by what share of itself its size changes a sag, and how far that is off.
 
-    That is by exact beams from rest, the drive free, for either sense of the acceleration.
+    That is by exact beams from rest, the drive free, for either sense of the acceleration. Stated
+    loads beside it change a sag as well: it is from where they leave the joint.
 
     Raises
     ------
@@ -366,22 +408,26 @@ def sag_changes(ask: Ask) -> Iterator[tuple[float, float]]:
 
     """
     scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
-    if scene.temperature is not None or any(scene.stated):
-        raise NotAvailable("has no sag by exact beams beside a temperature or stated loads")
-    strained = _Strained(ask, (), ())
+    if scene.temperature is not None:
+        raise NotAvailable("has no sag by exact beams beside a temperature")
     sought = np.eye(6)["xyz".index(scene.axis)]
     groups = acting_groups(joint, scene._replace(stated=(0.0,) * 6))
+    beside = acting_groups(joint, scene._replace(inertial=(), accelerations=()))
     state = combined([action(joint.assembly, each) for each in groups], [1.0] * len(groups))
-    either = dict(_either_way(strained, state, sought))
+    plain, either = _Strained(ask, (), ()), list[tuple[float, float | NotAvailable]]()
+    for signs in senses_beside(either_way(scene), beside):
+        either += _either_way(_Strained.by(ask, beside, signs), state, sought)
     try:
         rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
-        small = _moved(strained, combined([state], [SMALL]).loads, sought) / SMALL
+        small = _moved(plain, combined([state], [SMALL]).loads, sought) / SMALL
     except SolveError as failed:
         raise NotAvailable(f"has no sag by exact beams: {failed}") from failed
     beams = max(load_error(ask), unsure_springs(joint)) + _largest_share(
         compliance_of(ask) - rest, rest
     )
-    for sign, moved in either.items():
+    for sign, moved in either:
+        if isinstance(moved, NotAvailable):
+            raise moved
         more = sign * moved / small - 1.0
         if not abs(more) <= MOST:
             raise NotAvailable("sags far beyond small motion")
@@ -463,52 +509,65 @@ def _tangent(strained: _Strained, travel: float | None, blades: Blades) -> _Tang
     def compliance(state: SpaceEquilibrium) -> Floats:
         return compliance_along_cases(ask, state, CENTRE, locked=False)
 
-    beams, state = compliance(strained.at(travel)), strained.at(travel, blades)
-    known = blades.errors(state)
-    if known is None or state.coarser is None or known.support >= 1.0:
+    still, state = strained.at(travel), strained.at(travel, blades)
+    beams, known = compliance(still), blades.errors(state)
+    if known is None or state.coarser is None:
         return _Tangent(travel, beams, beams, beams, None)
+    pose = None if travel is None or strained.states or blades is not BEAMS else pose_of(ask, still)
+    finest, coarser = compliance(state), compliance(state.coarser)
+    if known.support >= 1.0:
+        return _Tangent(travel, beams, finest, coarser, None, pose)
     off = (1.0 + ask.clamp_softening) / (1.0 - known.support) - 1.0
     if strained.states:
         cold = compliance(at_travel(ask, 0.0, warm=False))
         off += strained.error() * _largest_share(beams - cold, cold)
-    return _Tangent(travel, beams, compliance(state), compliance(state.coarser), off)
+    return _Tangent(travel, beams, finest, coarser, off, pose)
 
 
 def _either_way(
     strained: _Strained, state: SpaceState, sought: Floats
-) -> Iterator[tuple[float, float]]:
-    """Yield either sense of loads, and how far they move what is sought [m or rad].
+) -> Iterator[tuple[float, float | NotAvailable]]:
+    """Yield either sense of loads, and how far they move what is sought [m or rad], or why not.
 
     That is from where what acts besides leaves the joint. The sense that is nearer to buckling it
     comes first, for it may be all that counts.
     """
     ask, besides = strained.ask, strained.states
     rest = _moved(strained, (), sought) if besides else 0.0
-    after = {
-        sign: combined([state, *besides], [sign, *(1.0 for _ in besides)]).following()
-        for sign in (1.0, -1.0)
+    together = {
+        sign: combined([state, *besides], [sign, *(1.0 for _ in besides)]) for sign in (1.0, -1.0)
     }
-    more = BEYOND * (1.0 + unsure_springs(joint_in_space(ask.geometry, ask.material, ask.sizes)))
+    after = {sign: whole.following() for sign, whole in together.items()}
     for sign in sorted(after, key=lambda each: -after[each].buckling):
-        acting, second = combined([state], [sign]), after[sign]
-        if second.buckling > FAR and not besides:
-            _prove_buckled(ask, acting, second)
-        if second.rotation > TURNED:
-            raise NotAvailable("has no deflection that is told: its blades turn too far")
+        acting, whole, second = combined([state], [sign]), together[sign], after[sign]
+        if second.buckling > FAR:
+            _prove_buckled(ask, whole, second)
+        moved: float | NotAvailable
         try:
-            moved = _moved(strained, acting.loads, sought) - rest
-            if second.buckling > 0.0 and second.buckling * more > NEAR:
-                # what a little more of it buckles may be buckled
-                if more == inf:
-                    raise NotAvailable("nobody knows how near its blades are to buckling")
-                all_of_it = tuple(load.times(more) for load in strained.loads)
-                pushed = tuple(load.times(more) for load in acting.loads)
-                _moved(strained._replace(loads=all_of_it), pushed, sought)
+            moved = _moved_safely(strained, acting, second, sought) - rest
         except (NotAvailable, SolveError) as failed:
-            if not besides:
-                _prove_buckled(ask, acting, second)
-            raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
+            _prove_buckled(ask, whole, second)
+            moved = NotAvailable(f"has no deflection by exact beams: {failed}")
         yield sign, moved
+
+
+def _moved_safely(
+    strained: _Strained, acting: SpaceState, second: SecondOrder, sought: Floats
+) -> float:
+    """Return how far loads and all besides move what is sought, if surely short of buckling."""
+    ask = strained.ask
+    if second.rotation > TURNED:
+        raise NotAvailable("its blades turn too far")
+    moved = _moved(strained, acting.loads, sought)
+    more = BEYOND * (1.0 + unsure_springs(joint_in_space(ask.geometry, ask.material, ask.sizes)))
+    if second.buckling > 0.0 and second.buckling * more > NEAR:
+        # what a little more of it buckles may be buckled
+        if more == inf:
+            raise NotAvailable("nobody knows how near its blades are to buckling")
+        all_of_it = tuple(load.times(more) for load in strained.loads)
+        pushed = tuple(load.times(more) for load in acting.loads)
+        _moved(strained._replace(loads=all_of_it), pushed, sought)
+    return moved
 
 
 def _moved(strained: _Strained, loads: Loads, sought: Floats) -> float:
@@ -538,8 +597,11 @@ def _moved_at(strained: _Strained, travel: float, loads: Loads, sought: Floats) 
 def _prove_buckled(ask: Ask, acting: SpaceState, second: SecondOrder) -> None:
     """Raise :class:`Buckled` where loads surely make a joint unstable long before they are whole.
 
-    Whole loads may be thousands of times too large to be followed at once.
+    Whole loads may be thousands of times too large to be followed at once. A temperature beside
+    them is not looked at.
     """
+    if ask.scene.temperature is not None:
+        return
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
     most = min(1.0, WALKED / second.buckling) if second.buckling > 0.0 else 1.0
     if not joint.is_known or most * second.rotation > TURNED:

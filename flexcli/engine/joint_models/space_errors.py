@@ -34,7 +34,9 @@ __all__ = [
     "Bend",
     "StrokeErrors",
     "beam_errors",
+    "hinges_more",
     "shell_errors",
+    "springs_without_blocks",
     "strain_error",
     "width_error",
 ]
@@ -156,6 +158,9 @@ HINGE_TURN, HINGE_TWIST, AT_STROKE = 0.21, 1e-3, 0.015
 """Turn of a hinge [rad], and that about itself, up to which its errors are those of its springs at
 rest, and what a stroke adds: CalculiX's solids of notches at 5° have the ratios to beams that they
 have at rest, within 0.01; those of a filleted blade at 12° are within 0.017 of beams."""
+
+COMPARED = 0.087
+"""Turn of a hinge [rad] from which on that counts in full: what a stroke changes is even in it."""
 
 FLAT = 0.3
 """Of b² κ/h of a hinge, up to which it has the errors of rest at a stroke, however wide or thick:
@@ -287,21 +292,43 @@ def width_error(assembly: SpaceAssembly, forces: Floats) -> float:
     return most
 
 
+def hinges_more(state: SpaceEquilibrium) -> float | None:
+    """Return by how much more than at rest the springs of hinges may be off at a stroke.
+
+    Nothing where one of the blades does not bend in hinges, or was not compared.
+    """
+    most = 0.0
+    for blade in state.layout.blades:
+        bend = _bend(state, blade)
+        curled = _hinge_curled(blade, bend) if isinstance(blade, SpaceBlade) else None
+        if curled is None:
+            return None
+        # even in the turn, it is less than in proportion below what was compared
+        most = max(most, AT_STROKE * min(_hinge_turn(blade, bend) / COMPARED, 1.0) + curled)
+    return most
+
+
 def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:
     """Return the error of the stiffness of a blade that bends in hinges, at a stroke."""
-    # its beams have no blocks, which are all in the error
-    springs = springs_of(replace(blade, blocks=(0.0, blade.blocks[1])))
-    turn, l, curls, wide = bend.turn, _length(blade), 0.0, 0.0
+    curled = _hinge_curled(blade, bend)
+    return None if curled is None else _most(springs_without_blocks(blade)) + curled
+
+
+def springs_without_blocks(blade: SpaceBlade) -> MemberSprings:
+    """Return the springs of a hinge as its beams are: its blocks are all in the error."""
+    return springs_of(replace(blade, blocks=(0.0, blade.blocks[1])))
+
+
+def _hinge_curled(blade: SpaceBlade, bend: Bend) -> float | None:
+    """Return what curled sections are off besides in a hinge, None where it was not compared."""
+    springs = springs_without_blocks(blade)
+    turn, l, curls, wide = _hinge_turn(blade, bend), _length(blade), 0.0, 0.0
     match blade.profile:
         case NeckedDown(h=h, hinge=hinge):
-            # the body between the hinges turns by no more than this
-            turn += bend.shift / (1.0 - float(hinge) / l)
             curls = blade.b**2 / float(h * hinge)
         case Filleted(h=h):
-            turn = max(turn, bend.curve)
             curls = blade.b**2 / (float(h) * l)
         case Tabulated(thicknesses=h):
-            turn = max(turn, bend.curve)
             curls = blade.b**2 / (float(min(h)) * l)
         case Notch(e=e, depth=depth):
             wide = blade.b**2 / (float(e) * l * float(e / depth) ** 0.5)
@@ -311,8 +338,17 @@ def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:
     compared = springs.in_stress or max(curls, wide) * turn <= FLAT
     if not (springs.is_known and compared) or turn > HINGE_TURN or bend.twist > HINGE_TWIST:
         return None
-    curled = blade.material.nu**2 * min(curls * turn / CURL, 1.0)
-    return _most(springs) + SUPPORT_CURLED * curled
+    return SUPPORT_CURLED * blade.material.nu**2 * min(curls * turn / CURL, 1.0)
+
+
+def _hinge_turn(blade: SpaceBlade | SpaceRod, bend: Bend) -> float:
+    """Return the largest turn of the hinges of a blade [rad]."""
+    if isinstance(blade, SpaceBlade) and isinstance(blade.profile, NeckedDown):
+        # the body between the hinges turns by no more than this
+        return bend.turn + bend.shift / (1.0 - float(blade.profile.hinge) / _length(blade))
+    if isinstance(blade, SpaceBlade) and isinstance(blade.profile, Filleted | Tabulated):
+        return max(bend.turn, bend.curve)
+    return bend.turn
 
 
 def _most(springs: MemberSprings) -> float:

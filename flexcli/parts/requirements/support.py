@@ -46,6 +46,8 @@ __all__ = [
     "Support",
     "compliance_of",
     "deflection_form",
+    "form_in",
+    "joint_of_model",
     "turns",
 ]
 
@@ -96,7 +98,7 @@ def compliance_of(
         When the joint has no layout, no shear modulus, or a freedom without any spring.
 
     """
-    joint = _in_space(ask)
+    joint = joint_of_model(ask)
     drive = joint.layout.drive
     axes = axes_about_z(ask.geometry.axes)
     place = _at(joint.layout.body(drive.body).point + axes.T @ np.array(point))
@@ -118,7 +120,13 @@ def deflection_form(ask: Ask, sought: NDArray[np.float64], load: NDArray[np.floa
 
     Both are along the axes of cases (6,), all free but for a guide.
     """
-    joint = _in_space(ask)
+    return form_in(ask, joint_of_model(ask), sought, load)
+
+
+def form_in(
+    ask: Ask, joint: SpaceJoint, sought: NDArray[np.float64], load: NDArray[np.float64]
+) -> Form:
+    """Return it of a joint that may have moved, or have springs of its own."""
     body, assembly = joint.layout.body(joint.layout.drive.body), joint.assembly
     turned = motion_along(axes_about_z(ask.geometry.axes))
     rows = turned @ assembly.motion(body.name, body.point)
@@ -140,7 +148,7 @@ def _at(place: NDArray[np.float64]) -> Place:
     return x, y, z
 
 
-def _in_space(ask: Ask) -> SpaceJoint:
+def joint_of_model(ask: Ask) -> SpaceJoint:
     """Return the joint in space, with the springs of its model where that has its own."""
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
     springs = ask.joint_model.springs(ask)
@@ -150,7 +158,7 @@ def _in_space(ask: Ask) -> SpaceJoint:
 def space_joint(ask: Ask) -> SpaceJoint:
     """Return the joint in space, or raise why there is none."""
     try:
-        return _in_space(ask)
+        return joint_of_model(ask)
     except NotAvailable as error:
         raise _refused(ask, error) from error
 
