@@ -51,6 +51,28 @@ def test_springs_where_they_stand_give_way_as_exact_beams_do(geometry, stroke, t
     assert np.max(np.abs(np.diag(rest) / diagonal - 1.0)) > 0.3
 
 
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+def test_a_turned_notch_deflects_within_its_range_as_solids_do(axis):
+    """CalculiX, NLGEOM (``tests/benchmarks/hinge_deflections.py``): over what it does at rest."""
+    solids = {"x": 1.2499, "y": 0.9921, "z": 1.0019}
+    ends = []
+    for turn in (1e-9, 0.1581):
+        found = flexcli.verdicts(
+            f"""
+flexure: 1
+material: {{youngs_modulus: 200 GPa, poisson_ratio: 0.3}}
+geometry: {{kind: notch-hinge, e: 0.1 mm, r: 1 mm, b: 0.4 mm, blocks: 0 mm}}
+cases: {{work: {{stroke: {{rotation: [0 rad, {turn} rad]}}, wrench: {{{axis}: 1 mN}}}}}}
+requirements: {{deflection: {{direction: {axis}, max: 1 m}}}}
+""",
+            model="exact",
+        )
+        ends.append(next(c for c in found.checks if c.name.startswith("deflection")))
+    rest, there = ends
+    least, most = (1.0 / end / rest.demand for end in reversed(there.factor_range))
+    assert least < solids[axis] < most < 1.5 * least
+
+
 def test_a_deflection_along_a_small_stroke_is_as_sure_as_its_own_springs():
     """Blocks may be soft along blades, which a force along the stroke does not feel."""
     text = spec_of(STAGE, "translation: 0.2 mm")

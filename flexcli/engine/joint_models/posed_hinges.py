@@ -41,9 +41,9 @@ class Pose(NamedTuple):
 
 
 def pose_of(ask: Ask, state: SpaceEquilibrium) -> Pose | None:
-    """Return a joint of hinges as it stands in a state of beams, None where it has other blades."""
+    """Return a joint of hinges as it stands in a state of beams, None where it has other parts."""
     more = hinges_more(state)
-    if more is None:
+    if more is None or state.layout.springs:
         return None
     roots = ask.geometry.root_springs(ask.sizes, ask.material.elastic.most_nu)
     blades = (blade for blade in state.layout.blades if isinstance(blade, SpaceBlade))
