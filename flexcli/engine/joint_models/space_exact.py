@@ -17,7 +17,12 @@ from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
 from flexcli.engine.joint_models.space_deflection import deflections, warm_sag_ratio
-from flexcli.engine.joint_models.space_errors import StrokeErrors, width_error
+from flexcli.engine.joint_models.space_errors import (
+    FURTHER,
+    StrokeErrors,
+    bent_by_forces,
+    width_error,
+)
 from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
@@ -77,6 +82,9 @@ DIAGONALS = np.array([1.0, -1.0, -1.0, 1.0])
 
 ROUGH = 0.02
 """By how much beams may bear too much that is not looked at further."""
+
+WARM = 9e-3
+"""Error of a stress of beams at a temperature besides: what its forces bend is not looked at."""
 
 
 class SpaceExactModel(SpaceLinearModel):
@@ -278,13 +286,18 @@ class SpaceExactModel(SpaceLinearModel):
             return all(known is not None and isfinite(known.support) for known in found)
         return True
 
-    def _ends(self, ask: Ask, loads: Loads = ()) -> tuple[SpaceEquilibrium, ...]:
-        """Return the joint at both ends of its stroke, or as loads and temperature leave it."""
+    def _ends(
+        self, ask: Ask, loads: Loads = (), stroke: float = 1.0
+    ) -> tuple[SpaceEquilibrium, ...]:
+        """Return the joint at both ends of its stroke, or as loads and temperature leave it.
+
+        ``stroke`` is the share of it that is gone.
+        """
         scene = ask.scene
         if not scene.moves:
             return (at_travel(ask, None, self.blades, loads=loads),)
         sag = self._sag_of_drive(ask, loads) if loads else 0.0
-        travels = tuple(end + sag for end in scene.stroke_ends)
+        travels = tuple(stroke * end + sag for end in scene.stroke_ends)
         ends = tuple(at_travel(ask, travel, self.blades, loads=loads) for travel in travels)
         levels = [state.part.assembly.members.level for state in ends]
         if levels[0] == levels[1]:
@@ -322,6 +335,25 @@ class SpaceExactModel(SpaceLinearModel):
                 self._stands.of(f"{signs}", ask, partial(_may_stand, ask, self.blades, loads))
                 raise
             yield ends
+
+    def _bends(self, ask: Ask) -> Iterator[float]:
+        """Yield, sense by sense of the loads, what loads and stroke bend of what they stress."""
+        joint = joint_of(ask)
+        groups = [loads_of(joint, each) for each in acting_groups(joint, ask.scene)]
+        rest = self._largest_at_ends(ask)
+        less = None
+        if ask.scene.moves and ask.scene.temperature is None:  # that stresses without a stroke
+            less = self._largest_at_ends(ask, stroke=1.0 - FURTHER)
+        for signs in product((1.0, -1.0), repeat=len(groups)):
+            loads = tuple(signed(groups, signs))
+            raised = tuple(load.times(1.0 + FURTHER) for load in loads)
+            here, further = (self._largest_at_ends(ask, each) for each in (loads, raised))
+            yield float(np.max(bent_by_forces(rest, less, here, further)))
+
+    def _largest_at_ends(self, ask: Ask, loads: Loads = (), stroke: float = 1.0) -> Floats:
+        """Return the largest stress at the ends of so much of a stroke (ends,) [Pa]."""
+        ends = self._ends(ask, loads, stroke)
+        return np.array([self.largest_stress(state)[0] for state in ends])
 
     def _at_ends(
         self,
@@ -361,7 +393,7 @@ class SpaceExactModel(SpaceLinearModel):
     def _find_stress_errors(self, ask: Ask) -> tuple[ErrorRange | None, ErrorRange | None]:
         """Return the error of the largest stress, and that of the largest amplitude.
 
-        They are of blades and level, and of the blades' weight.
+        They are of blades and level, of what forces bend in them, and of the blades' weight.
 
         That acts on the bodies; what it does between the ends of a blade counts as if it were
         largest where the stress is.
@@ -373,10 +405,16 @@ class SpaceExactModel(SpaceLinearModel):
         most, unsure, largest, swing = 0.0, beside, 0.0, 0.0
         if self.blades is BEAMS and _may_turn_aside(joint, ask.scene):
             return None, None
+        beams = self if self.blades is BEAMS else SpaceExactModel()  # which tell it for shells
         try:
+            bends = beams._bends(ask)
             for ends in self._loaded_ends(ask):
+                told = [self.blades.errors(state) for state in ends]
+                # of hinges beams know no stress, whatever bends them
+                in_vain = any(each is None or not isfinite(each.stress) for each in told)
                 known = _most_off(
-                    ends, self.blades, lambda errors: errors.stress,
+                    ends, self.blades,
+                    partial(StrokeErrors.stress_of, bent=0.0 if in_vain else next(bends)),
                     lambda state: self.largest_stress(state)[0],
                 )  # fmt: skip
                 if known is None:
@@ -391,7 +429,7 @@ class SpaceExactModel(SpaceLinearModel):
         except (NotAvailable, SolveError):
             return None, None
         if self.blades is BEAMS:
-            most += largest / ask.material.elastic.E
+            most += largest / ask.material.elastic.E + WARM * (ask.scene.temperature is not None)
         each = most + unsure / largest, most + max(swing, beside / largest)
         return ErrorRange(-each[0], each[0]), ErrorRange(-each[1], each[1])
 
