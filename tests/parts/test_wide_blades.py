@@ -22,7 +22,8 @@ from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
 from flexcli.parts.bending.base import SHORTEST
-from flexcli.parts.bending.wide import wide_halves, wide_pivot
+from flexcli.parts.bending.joined_halves import wide_halves
+from flexcli.parts.bending.wide import wide_pivot
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect, Setting
 from flexcli.parts.elastic import Elastic
