@@ -5,7 +5,9 @@ from typing import Any
 
 from flexcli.formulas import plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
-from flexcli.numerics.rows import larger, number, smaller
+from flexcli.formulas import thick_plates as thick
+from flexcli.formulas.section import shear_parameter
+from flexcli.numerics.rows import Number, larger, number, smaller
 from flexcli.parts.bending.base import SHORTEST, Factor
 from flexcli.parts.geometries.base import Blade
 
@@ -15,12 +17,14 @@ __all__ = [
     "TINY",
     "UNSURE_ALONG",
     "between",
+    "blade_factor",
     "buckled",
     "buckling",
     "floats",
     "pivot_shift",
     "plate_alone",
     "plate_factor",
+    "shear_of",
     "shortening",
 ]
 
@@ -28,14 +32,55 @@ UNSURE_ALONG = 0.3
 """Part of a pivot's shift along its bisector that shear and the next order in θ may change."""
 
 ENDS = {
-    plates.pure_bending_factor: 2.0, plates.cantilever_factor: 3.0, plates.limb_hinge_factor: 3.0,
-}  # fmt: skip
+    plates.pure_bending_factor: 2.0,
+    plates.cantilever_factor: 3.0,
+    plates.limb_hinge_factor: 3.0,
+}
 """Squares of both end moments of a blade over their mean square along it, 6 of an S at most."""
 
 LOCKED, HINGED = "clamped-clamped", "pinned-pinned"
 
 TINY = 1e-12
 """Share of S-shaped bending below which there is none."""
+
+
+def blade_factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor:
+    """Return a factor of a formula with its error, of a solid blade between rigid clamps.
+
+    Of one too thick for the solids that were compared, it is that of a plate, with what thickness
+    may change of it.
+    """
+    h, l, b = blade
+    if h > thick.THICKEST * l or h > b:
+        return plate_factor(formula, blade, nu, **more)
+    own = {"h": h, "l": l, "b": b, "poisson_ratio": nu}
+    arc, s_shape = number(thick.thick_arc_factor(**own)), number(thick.thick_s_factor(**own))
+    value = _of_shapes(formula, arc, s_shape, blade, nu, **more)
+    error = number(thick.thick_error(value, h=h, l=l, poisson_ratio=nu))
+    return Factor(value, larger(1.0, value - error), value + error)
+
+
+def _of_shapes(
+    formula: Any, arc: Number, s_shape: Number, blade: Blade, nu: float, **more: float
+) -> Number:
+    """Return a factor of ``plate_factors`` by those of the two shapes, as its formula has it.
+
+    Where a force bends both, a thick blade has more of the S, by what that shears.
+    """
+    if formula in (plates.pure_bending_factor, plates.guided_factor):
+        return arc if formula is plates.pure_bending_factor else s_shape
+    if formula in (plates.pivot_factor, plates.end_moment_factor):
+        gamma = abs(0.5 + more["delta"])
+        share = 12.0 * gamma**2 if formula is plates.pivot_factor else 6.0 * gamma
+        return (arc + share * s_shape) / (1.0 + share)
+    arm: Number = more.get("arm", blade.l / 2.0)  # of a cantilever
+    turned, sheared = arm**2, blade.l**2 / 12.0 * (1.0 + shear_of(blade, nu))
+    return number((turned + sheared) / (turned / arc + sheared / s_shape))
+
+
+def shear_of(blade: Blade, nu: float) -> float:
+    """Return Φ of a blade across its thickness [-]."""
+    return number(shear_parameter(depth=blade.h, l=blade.l, poisson_ratio=nu))
 
 
 def buckled(blade: Blade, nu: float) -> Factor:
@@ -61,7 +106,10 @@ def shortening(blade: Blade, nu: float) -> tuple[float, float]:
 
 
 def plate_factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor:
-    """Return a factor of a formula with its error, between beam and flat plate."""
+    """Return a factor of a formula with its error, between beam and flat plate.
+
+    Of blades that a force buckles, that another one clamps, or that are too thick for more.
+    """
     at = {"b": blade.b, "l": blade.l, "poisson_ratio": nu, **more}
     value, thin = number(formula(h=blade.h, **at)), number(formula(**at))
     error, ends = number(plates.factor_error(value, thin)), ENDS.get(formula, 6.0)

@@ -11,7 +11,7 @@ from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
-from flexcli.formulas.section import second_moment, shear_parameter
+from flexcli.formulas.section import second_moment
 from flexcli.numerics.rows import cos, larger, number, one_alone, smaller
 from flexcli.parts.bending.base import PULLED, SHORTEST, Factor, WideAcross, WideBlades, hull
 from flexcli.parts.bending.plate_range import (
@@ -20,11 +20,13 @@ from flexcli.parts.bending.plate_range import (
     TINY,
     UNSURE_ALONG,
     between,
+    blade_factor,
     buckled,
     buckling,
     floats,
     pivot_shift,
     plate_factor,
+    shear_of,
     shortening,
 )
 from flexcli.parts.bending.wide_notch import NOTCH_PULLED
@@ -77,8 +79,8 @@ def wide_pivot(
     """
     _, l, b = blade = floats(blade)
     delta = number(delta)
-    stiffness = _any_shape(plate_factor(plates.pivot_factor, blade, nu, delta=delta), blade, nu)
-    stress = plate_factor(plates.end_moment_factor, blade, nu, delta=delta)
+    stiffness = _any_shape(blade_factor(plates.pivot_factor, blade, nu, delta=delta), blade, nu)
+    stress = blade_factor(plates.end_moment_factor, blade, nu, delta=delta)
     gamma = 1.0 + 2.0 * delta
     shift, across, uneven = (0.0, CANCELS * larger(*shortening(blade, nu))), None, 1.0
     if half_angle is not None:
@@ -91,7 +93,7 @@ def wide_pivot(
     kept = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
     springs = stretching, stretching / kept, shear
     pure, bent = (
-        plate_factor(f, blade, nu).value for f in (plates.pure_bending_factor, plates.guided_factor)
+        blade_factor(f, blade, nu).value for f in (plates.pure_bending_factor, plates.guided_factor)
     )
     stiffness = _let_off(stiffness, pure, bent, odd / (1.0 - odd), springs)
     stress = _let_off(stress, pure, bent, 3.0 * abs(gamma), springs)
@@ -114,11 +116,6 @@ def _in_series(softer: Computed, odd: float) -> float:
     """Return the compliance beside the S-shaped bending, over its own, that softens the whole."""
     left = 1.0 - number(softer) / larger(odd, TINY)
     return 1.0 / larger(left, TINY) - 1.0
-
-
-def _shear(blade: Blade, nu: float) -> float:
-    """Return Φ of a blade across its thickness [-]."""
-    return number(shear_parameter(depth=blade.h, l=blade.l, poisson_ratio=nu))
 
 
 def _let_off(
@@ -146,7 +143,7 @@ def wide_guided(blade: Blade, nu: float) -> WideBlades:
     What guides them, or the next blade, keeps the body from turning whatever the ends say.
     """
     _, l, b = blade = floats(blade)
-    factor = plate_factor(plates.guided_factor, blade, nu)
+    factor = blade_factor(plates.guided_factor, blade, nu)
     _, bent = shortening(blade, nu)
     bends = 6.0 / l**2, -6.0 / l**2
     held = _held(blade, nu)
@@ -158,7 +155,7 @@ def wide_guided(blade: Blade, nu: float) -> WideBlades:
 def wide_cantilever(blade: Blade, nu: float) -> WideBlades:
     """Return the factors of a blade that a force bends at its free tip."""
     _, l, b = blade = floats(blade)
-    factor = plate_factor(plates.cantilever_factor, blade, nu)
+    factor = blade_factor(plates.cantilever_factor, blade, nu)
     change = number(plate_shortening.cantilever_shift_factor(b=b, l=l, poisson_ratio=nu)) - 1.0
     shift = change, 0.2 * sum(shortening(blade, nu))
     stiffness = _any_shape(factor, blade, nu)
@@ -168,7 +165,7 @@ def wide_cantilever(blade: Blade, nu: float) -> WideBlades:
 def wide_moment(blade: Blade, nu: float) -> WideBlades:
     """Return the factors of a blade that a moment bends at its free tip."""
     _, l, b = blade = floats(blade)
-    factor = plate_factor(plates.pure_bending_factor, blade, nu)
+    factor = blade_factor(plates.pure_bending_factor, blade, nu)
     pure, _ = shortening(blade, nu)
     shift, bends = (-pure / 2.0, 0.2 * pure), (1.0 / l, 1.0 / l)
     stiffness = _any_shape(factor, blade, nu)
@@ -182,7 +179,7 @@ def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
     """
     _, l_c, b = neck = floats(neck)
     l = number(l)
-    stiffness = plate_factor(plates.limb_hinge_factor, neck, nu, arm=(l - l_c) / 2.0)
+    stiffness = blade_factor(plates.limb_hinge_factor, neck, nu, arm=(l - l_c) / 2.0)
     pure, _ = shortening(neck, nu)
     share = 2.0 * l_c / l  # of the path, most of which is that of the rigid middle
     held = _held_necks(neck, nu)
@@ -201,9 +198,9 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
         pulled = larger(pulled, PULLED if constant else NOTCH_PULLED)
         blade = floats(given)
         most = larger(most, blade.b / blade.l)
-        pure = plate_factor(plates.pure_bending_factor, blade, nu)
+        pure = blade_factor(plates.pure_bending_factor, blade, nu)
         if constant:
-            bent = plate_factor(plates.guided_factor, blade, nu)
+            bent = blade_factor(plates.guided_factor, blade, nu)
             found.append(Factor((pure.value + bent.value) / 2.0, pure.low, bent.high))
             hinged.append(buckling(blade, nu, HINGED))
             kept.append(buckled(blade, nu))
@@ -255,11 +252,11 @@ def wide_by_shapes(
         even, odd = (first + last) / 2.0, (first - last) / 2.0
         compliance = l / number(second_moment(b, h))
         pure, bent = (
-            plate_factor(f, blade, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
+            blade_factor(f, blade, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
         )
         stretched = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
         kept = Factor(stretched, stretched - sheets.SHEET_ERROR, stretched + sheets.SHEET_ERROR)
-        along, shear = number(force[0] * x + force[1] * y) / l, _shear(blade, nu)
+        along, shear = number(force[0] * x + force[1] * y) / l, shear_of(blade, nu)
         parts = (
             (even**2 * compliance, pure),
             (odd**2 / 3.0 * compliance * (1.0 + shear), bent),
@@ -313,7 +310,7 @@ def _any_shape(factor: Factor, blade: Blade, nu: float) -> Factor:
     Of all shapes between clamps pure bending curls the most.
     """
     pure, short = (
-        plate_factor(plates.pure_bending_factor, blade._replace(b=b), nu)
+        blade_factor(plates.pure_bending_factor, blade._replace(b=b), nu)
         for b in (blade.b, SHORTEST * blade.b)
     )
     least, most = pure.low, larger(short.high, factor.high)
@@ -352,7 +349,7 @@ def _pivot_across(blade: Blade, nu: float, delta: float, half_angle: float) -> W
     stretch = number(
         thick_blades.pivot_stretch(h=h, l=l, p=delta * l, half_angle=half_angle)
     ) / cos(half_angle)
-    bent = plate_factor(plates.guided_factor, blade, nu)
+    bent = blade_factor(plates.guided_factor, blade, nu)
     axial = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
     off = larger(bent.high / bent.value - 1.0, 1.0 - bent.low / bent.value)
     ratio = moved / along if along else inf if moved else 0.0
