@@ -99,7 +99,7 @@ def thick_arc_factor(
     Examples
     --------
     >>> round(float(thick_arc_factor(h=0.3, l=1.0, b=1.0, poisson_ratio=0.3)), 3)
-    1.048
+    1.049
 
     References
     ----------
@@ -136,7 +136,7 @@ def thick_s_factor(*, h: ArrayLike, l: ArrayLike, b: ArrayLike, poisson_ratio: A
     Examples
     --------
     >>> round(float(thick_s_factor(h=0.3, l=1.0, b=1.0, poisson_ratio=0.3)), 3)
-    1.072
+    1.073
 
     References
     ----------
