@@ -113,6 +113,19 @@ def test_without_poissons_ratio_the_row_says_what_would_decide():
     assert WIDENING.all_changes(setting)["sag"].sign == -1
 
 
+@pytest.mark.parametrize(("rotation", "least", "most"), [(1e-6, 0.0, 1e-6), (0.1, 0.02, 0.3)])
+def test_an_unknown_poissons_ratio_is_flattened_as_much_as_the_stroke_can(rotation, least, most):
+    stroke = {"rotation": f"{rotation} rad"}
+    silent = [each.all_changes(setting_of(PIVOT, stroke, nu=None))["stress"]
+              for each in (WIDENING, CURVED)]  # fmt: skip
+    assert least <= silent[1].bound < most
+    told = (1.0 + silent[0].bound) * (1.0 + silent[1].bound)
+    for nu in (0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49):
+        setting = setting_of(PIVOT, stroke, nu=nu)
+        plate, curved = (each.all_changes(setting)["stress"] for each in (WIDENING, CURVED))
+        assert (1.0 + plate.value) * (1.0 + curved.value) <= told
+
+
 def test_no_poissons_ratio_no_widening():
     found = WIDENING.all_changes(setting_of(PIVOT, TURN, nu=0.0))
     # but for the warping of sections that clamps keep flat
