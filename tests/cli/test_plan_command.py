@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from flexcli.formulas import plate_factors as plates
+from flexcli.formulas.thick_plates import thick_arc_factor, thick_s_factor
 
 SPEC = """\
 flexure: 1
@@ -56,7 +56,9 @@ def test_audit_sets_the_truth_beside_the_estimate(flexure, spec):
     # what the spec switches off is told, and is no mistake of the plan
     told = {row["quantity"]: row for row in plate if row["effect"] == "plate widening"}
     nu, b, l, h = 0.33, 2.0, 10.0, 0.3
-    true = plates.pivot_factor(b=b, l=l, h=h, poisson_ratio=nu, delta=0.2) - 1.0
+    blade, share = {"b": b, "l": l, "h": h, "poisson_ratio": nu}, 12.0 * 0.7**2
+    arc, s_shape = thick_arc_factor(**blade), thick_s_factor(**blade)
+    true = (arc + share * s_shape) / (1.0 + share) - 1.0
     assert told["stiffness"]["true"] == pytest.approx(float(true), rel=2e-3)  # less what stretches
     assert [row["right"] for row in plate] == [None] * len(plate)
 

@@ -218,7 +218,7 @@ def test_rigid_clamps_stiffen_a_wide_blade_beyond_the_plate_by_what_is_told(b, n
 
 def test_a_thin_or_narrow_blade_is_no_stiffer_than_its_plate():
     less, more = plates.beyond_plate(h=1e-3, l=1.0, poisson_ratio=0.3)
-    assert less == 0.0
+    assert less < 1e-6
     assert more < 1e-4
     _, narrow = plates.beyond_plate(h=0.1, l=1.0, poisson_ratio=0.3, flat=0.0, ends=2.0)
     assert narrow == 0.0

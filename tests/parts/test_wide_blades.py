@@ -22,7 +22,8 @@ from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
 from flexcli.parts.bending.base import SHORTEST
-from flexcli.parts.bending.wide import wide_halves, wide_pivot
+from flexcli.parts.bending.joined_halves import wide_halves
+from flexcli.parts.bending.wide import wide_pivot
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect, Setting
 from flexcli.parts.elastic import Elastic
@@ -81,10 +82,10 @@ BLADE = {"b": 10e-3, "l": 20e-3, "h": 0.05e-3, "poisson_ratio": NU}
 )  # fmt: skip
 def test_each_kind_has_the_mixture_of_its_own_bending(shape, stroke, stiffness, stress):
     found = WIDENING.all_changes(setting_of(shape, stroke))
-    # of a pivot stretching takes some (h/l)² of it
-    assert found["stiffness"].value == pytest.approx(float(stiffness) - 1.0, rel=2e-5)
-    assert found["stress"].value == pytest.approx(float(stress) - 1.0, rel=2e-5)
-    assert found["frequency"].value == pytest.approx(sqrt(float(stiffness)) - 1.0, rel=2e-5)
+    # of a pivot stretching takes some (h/l)² of it; clamps keep the thickness of any, some h/l
+    assert found["stiffness"].value == pytest.approx(float(stiffness) - 1.0, abs=5e-5)
+    assert found["stress"].value == pytest.approx(float(stress) - 1.0, abs=5e-5)
+    assert found["frequency"].value == pytest.approx(sqrt(float(stiffness)) - 1.0, abs=5e-5)
     assert found["stiffness"].error < 2e-3
 
 
@@ -112,10 +113,23 @@ def test_without_poissons_ratio_the_row_says_what_would_decide():
     assert WIDENING.all_changes(setting)["sag"].sign == -1
 
 
+@pytest.mark.parametrize(("rotation", "least", "most"), [(1e-6, 0.0, 1e-6), (0.1, 0.02, 0.3)])
+def test_an_unknown_poissons_ratio_is_flattened_as_much_as_the_stroke_can(rotation, least, most):
+    stroke = {"rotation": f"{rotation} rad"}
+    silent = [each.all_changes(setting_of(PIVOT, stroke, nu=None))["stress"]
+              for each in (WIDENING, CURVED)]  # fmt: skip
+    assert least <= silent[1].bound < most
+    told = (1.0 + silent[0].bound) * (1.0 + silent[1].bound)
+    for nu in (0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49):
+        setting = setting_of(PIVOT, stroke, nu=nu)
+        plate, curved = (each.all_changes(setting)["stress"] for each in (WIDENING, CURVED))
+        assert (1.0 + plate.value) * (1.0 + curved.value) <= told
+
+
 def test_no_poissons_ratio_no_widening():
     found = WIDENING.all_changes(setting_of(PIVOT, TURN, nu=0.0))
     # but for the warping of sections that clamps keep flat
-    assert all(change.value == 0.0 and change.error < 1e-6 for change in found.values())
+    assert all(abs(change.value) < 1e-6 and change.error < 1e-6 for change in found.values())
 
 
 def test_short_necks_are_nearly_plates():
@@ -123,7 +137,7 @@ def test_short_necks_are_nearly_plates():
             "b": "20 mm", "spacing": "9 mm"}  # fmt: skip
     found = WIDENING.changes(setting_of(neck, MOVE))["stiffness"]
     assert 0.97 * FLAT < found.value < FLAT
-    assert found.error < 3e-3
+    assert found.error < 4e-3
 
 
 def test_a_wide_notch_is_in_plane_strain():

@@ -97,9 +97,10 @@ def solid_cross(
 
     The moment in the crossing rises with the stiffness. ``halves`` is what plates stiffen of both
     that are rigid up to a length from the crossing, ``apart`` what they share otherwise for being
-    wide, as :func:`flexcli.parts.bending.wide.halves_apart` has it. A crossing is about as flat as
-    the halves beyond it, which are shorter by it and flatter. Nothing is known where a half does
-    not reach beyond the crossing, and nothing of the shift along the bisector where it hardly does.
+    wide, as :func:`flexcli.parts.bending.joined_halves.halves_apart` has it. A crossing is about as
+    flat as the halves beyond it, which are shorter by it and flatter. Nothing is known where a half
+    does not reach beyond the crossing, and nothing of the shift along the bisector where it hardly
+    does.
     """
     one_alone()
     h, l, b = map(number, blade)

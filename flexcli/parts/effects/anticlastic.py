@@ -64,8 +64,6 @@ class Anticlastic(ModelEffect):
         h, _, b = _blade(setting)
         nu, held = setting.poisson_bound, wide.stress.value
         most = (1.0 + number(bound(nu))) / held - 1.0
-        if self.lacks(setting):
-            return {"stress": Change(None, larger(most, 0.0), 0.0, 1)}
         place, weight = gauss_rule(_NODES)
         first, last, width, thick, ratio = (np.asarray(x)[..., None] for x in (*ends, b, h, nu))
         curvature = first + (last - first) * place
@@ -82,6 +80,8 @@ class Anticlastic(ModelEffect):
         kept, flat = ((x - 1.0) / whole if whole else 0.0 * x for x in (held, curved))
         kept, flat = (larger(smaller(x, 1.0), 0.0) for x in (kept, flat))
         high = smaller(UNEVEN * both * (1.0 - TAKEN * kept * (1.0 - flat)), larger(most, 0.0))
+        if self.lacks(setting):  # at ν = ½, where sections flatten the most
+            return {"stress": Change(None, larger(high, 0.0), 0.0, 1)}
         low = larger(both * (1.0 - kept) ** FREE, least / held - 1.0)
         low = smaller(low, high)
         return {"stress": Change((low + high) / 2.0, high, (high - low) / 2.0)}

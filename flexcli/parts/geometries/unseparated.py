@@ -16,7 +16,7 @@ from flexcli.numerics.rows import number, one_by_one, smaller
 from flexcli.parts.base import QuantityOf, spec_error
 from flexcli.parts.bending import Bending, CompliantClamps, WideBlades
 from flexcli.parts.bending.joined import Joined
-from flexcli.parts.bending.wide import halves_apart, plates_of_halves, wide_halves
+from flexcli.parts.bending.joined_halves import halves_apart, plates_of_halves, wide_halves
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
