@@ -198,7 +198,7 @@ class Support(BoundAtStroke):
 
     label: ClassVar[str] = "support"
     by_solids: ClassVar[bool] = True
-    by_shells: ClassVar[bool] = True
+    by_shells: ClassVar[QuantityKind | None] = QuantityKind.SUPPORT
     closed_form: ClassVar[bool] = False
     is_warmed: ClassVar[bool] = True
 
@@ -428,7 +428,7 @@ class Deflection(MotionBound):
 
     label: ClassVar[str] = "deflection"
     by_solids: ClassVar[bool] = True
-    by_shells: ClassVar[bool] = True
+    by_shells: ClassVar[QuantityKind | None] = QuantityKind.SUPPORT
 
     point: Place = CENTRE
     """Point on the moving body that is asked about, from the centre of a pivot or of a stage, or
