@@ -57,10 +57,10 @@ class NamedModel:
     def may_tell_more(self, requirement: Requirement, ask: Ask, known: Iterable[Check]) -> bool:
         """Return whether it may decide what those before it left open, ``known`` by their checks.
 
-        In a joint of the plane shells judge little, and solids not all; nothing is decided by shells
-        where an effect that they lack leaves no error of a stress. A load that buckles blades
-        whose errors nobody knows would be looked for in vain, and so would be the stiffness of
-        hinges where a pass hangs on what limbs weigh that nobody has weighed.
+        In a joint of the plane shells judge little, and solids not all; shells decide nothing where
+        an effect that they lack leaves no error of a stress. A load that buckles blades whose
+        errors nobody knows would be looked for in vain, and so would be the stiffness of hinges
+        where a pass hangs on what limbs weigh that nobody has weighed.
         """
         if self.name == "shell" and not self.design.geometry.in_space:
             asked, of_stress = requirement.by_shells, QuantityKind.STRESS

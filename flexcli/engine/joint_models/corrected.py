@@ -73,9 +73,9 @@ class Corrected(JointModel):
         }
         return frozenset(self.inner.covers | self.inner.always | known) - lacking
 
-    def springs(self, ask: Ask) -> "tuple[MemberSprings, ...] | None":
+    def springs(self, ask: Ask, *, in_plane: bool) -> "tuple[MemberSprings, ...] | None":
         """Return those of the inner model."""
-        return self.inner.springs(ask)
+        return self.inner.springs(ask, in_plane=in_plane)
 
     def may_know(self, ask: Ask, kind: QuantityKind) -> bool:
         """Return whether the effects leave an error, whatever the inner model may carry."""

@@ -81,8 +81,8 @@ def at_travel(
     """Return the joint at a travel of its drive, all else free but for a guide; by beams if unsaid.
 
     Without a travel the drive is free: the joint is as its loads and its temperature leave it,
-    which it has where it is ``warm``; the path is that from ``start`` where there is one, of the same
-    blades. Where the ask is ``near`` another, what a small change makes of that one.
+    which it has where it is ``warm``; the path is that from ``start`` where there is one, of the
+    same blades. Where the ask is ``near`` another, what a small change makes of that one.
 
     Raises
     ------

@@ -74,8 +74,8 @@ LOADS = (
 )
 """In the order of a wrench, about the middle of the body, which makes its compliance diagonal."""
 
-BENT = (1, 5)
-"""Loads that bend it in the plane: of the stroke of a hinge nothing else is asked."""
+IN_PLANE, ACROSS = (0, 1, 5), (2, 3, 4)
+"""Loads in the plane of its face, of which alone most cases ask, and across it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +100,7 @@ class Octant:
     """The body between rigid ends that move by one, each its way, under unit loads.
 
     What is sought is the rest of the motion: none at the end, and in the middle what symmetry holds
-    against that. Loads that share mirror images are solved together, when one is first asked for.
+    against that. Loads in the plane are solved together, when one is first asked for, or across it.
 
     Parameters
     ----------
@@ -122,16 +122,15 @@ class Octant:
         It is nothing for a load under which the body is so slender that no digits are left.
         """
         if index not in self._known:
-            self._solve(BENT if index in BENT else range(len(LOADS)))
+            self._solve(IN_PLANE if index in IN_PLANE else ACROSS)
         return self._known[index]
 
     def _solve(self, indices: Iterable[int]) -> None:
-        """Solve what is not known yet of some loads."""
+        """Solve some loads, those of the same mirror images in y and z together."""
         groups = dict[tuple[int, int], list[int]]()
         for index in indices:
-            if index not in self._known:
-                groups.setdefault(LOADS[index].signs[1:], []).append(index)
-        self._known |= {index: None for group in groups.values() for index in group}
+            groups.setdefault(LOADS[index].signs[1:], []).append(index)
+            self._known[index] = None
         each = {signs: _Mirrored(self.lattice, signs) for signs in groups}
         layers = list[_Layer]()
         # from the rigid end to the middle, so that a soft throat keeps its digits

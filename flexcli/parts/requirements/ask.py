@@ -237,8 +237,11 @@ class JointModel(ABC):
         """Return the effects that its numbers include in a design."""
         return self.covers | self.always
 
-    def springs(self, ask: Ask) -> "tuple[MemberSprings, ...] | None":
-        """Return the springs of the blades in space at rest, None for those of formulas."""
+    def springs(self, ask: Ask, *, in_plane: bool) -> "tuple[MemberSprings, ...] | None":
+        """Return the springs of the blades in space at rest, None for those of formulas.
+
+        Those that a motion ``in_plane`` does not strain may be any.
+        """
         return None
 
     def frequency_factor(self, ask: Ask) -> float:
