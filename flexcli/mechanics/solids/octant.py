@@ -155,10 +155,18 @@ class _Following:
     """
 
     def __init__(self, K: Floats, own: Integers, rest: Integers) -> None:
+        """Take the stiffness of all, those that follow first."""
         self.own, self.rest = own, rest
-        self.factor = _factor(K[np.ix_(own, own)])
-        self.forces = _solved(self.factor, K[np.ix_(own, rest)])
-        self.left = K[np.ix_(rest, rest)] - self.forces.T @ self.forces
+        count = own.size
+        self.factor = _factor(K[:count, :count].copy())
+        self.forces = _solved(self.factor, K[:count, count:])
+        self.left = K[count:, count:] - self.forces.T @ self.forces
+
+    @classmethod
+    def among(cls, K: Floats, own: Integers, rest: Integers) -> "_Following":
+        """Return them by a stiffness in the order of the places."""
+        order = np.concatenate([own, rest])
+        return cls(K[np.ix_(order, order)], own, rest)
 
     def fill(self, w: Floats) -> None:
         """Set the motions that follow by the others."""
@@ -183,7 +191,7 @@ class _Layer:
         apart = np.ones(self.shape, dtype=bool)  # off the faces between bricks
         apart[:, across:-1:across] = apart[:, :, wide:-1:wide] = False
         within, between = inside & apart, inside & ~apart
-        kept = np.flatnonzero(~within)
+        kept = np.concatenate([np.flatnonzero(between), np.flatnonzero(~inside)])
         place = np.full(inside.size, -1)
         place[kept] = np.arange(kept.size)
         K = np.zeros((kept.size, kept.size))
@@ -195,16 +203,13 @@ class _Layer:
                 over = slice(side, side + wide + 1)
                 half = (lattice.z[side + wide] - lattice.z[side]) / 2.0
                 own = np.moveaxis(numbers[:, at, over], -1, 0).ravel()
-                follows = within.ravel()[own]
-                brick = _Following(
-                    of_brick.stiffness(half), np.flatnonzero(follows), np.flatnonzero(~follows)
-                )
+                brick = of_brick.following(half, within.ravel()[own])
                 self.bricks.append((own, brick))
                 rest = place[own[brick.rest]]
                 K[np.ix_(rest, rest)] += brick.left
-        is_between = between.ravel()[kept]
-        self.between = kept, _Following(K, *map(np.flatnonzero, (is_between, ~is_between)))
-        self.others, self.left = kept[~is_between], self.between[1].left
+        own, rest = np.split(np.arange(kept.size), [np.count_nonzero(between)])
+        self.between = kept, _Following(K, own, rest)
+        self.others, self.left = kept[rest], self.between[1].left
 
     def whole(self, others: Floats) -> Floats:
         """Return the motions of all nodes of the layer by those of the others."""
@@ -243,7 +248,7 @@ class _Mirrored:
             K = K.copy()
             K[np.ix_(at[-last:], at[-last:])] += self.beyond
         try:
-            self.kept.append(_Following(K, at, before))
+            self.kept.append(_Following.among(K, at, before))
         except np.linalg.LinAlgError:
             self.beyond = None
             return
@@ -335,10 +340,10 @@ class _Bricks:
             for f, g in ((one.values, one.values), (one.slopes, one.values), (one.slopes,) * 2)
         )
         nodes, width = len(N), len(M)
-        self.parts = np.zeros((3, 3, nodes, width, 3, nodes, width))
+        parts = np.zeros((3, 3, nodes, width, 3, nodes, width))
 
         def put(part: int, i: int, j: int, face: Floats, over: Floats) -> None:
-            self.parts[part, i, :, :, j] += face[:, None, :, None] * over[None, :, None, :]
+            parts[part, i, :, :, j] += face[:, None, :, None] * over[None, :, None, :]
 
         whole = S[0, 0] + S[1, 1]
         for i in range(2):
@@ -351,11 +356,18 @@ class _Bricks:
             put(2, i, i, mu * N, K)
         put(0, 2, 2, mu * whole, M)
         put(2, 2, 2, (lame + 2.0 * mu) * N, K)
-        self.parts = self.parts.reshape(3, 3 * nodes * width, -1)
+        self.parts = parts.reshape(3, 3 * nodes * width, -1)
+        self._ordered = dict[bytes, tuple[Integers, Integers, Floats]]()
 
-    def stiffness(self, half: float) -> Floats:
-        """Return that of a brick by half its width [m]."""
-        return np.asarray(half * self.parts[0] + self.parts[1] + self.parts[2] / half)
+    def following(self, half: float, follows: Flags) -> _Following:
+        """Return a brick by half its width [m], of whose motions some follow the others."""
+        key = follows.tobytes()
+        if key not in self._ordered:  # the same of all but the last over the width
+            own, rest = np.flatnonzero(follows), np.flatnonzero(~follows)
+            order = np.concatenate([own, rest])
+            self._ordered[key] = own, rest, self.parts[:, order[:, None], order]
+        own, rest, (growing, even, falling) = self._ordered[key]
+        return _Following(half * growing + even + falling / half, own, rest)
 
 
 def _over_face(lattice: Lattice, n: int, columns: slice) -> tuple[Floats, Floats, Floats]:
