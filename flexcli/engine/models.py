@@ -9,7 +9,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS
 from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Ask, JointModel, Requirement
-from flexcli.results import Check
+from flexcli.results import Check, QuantityKind
 
 __all__ = ["MODEL_SERIES", "NamedModel", "model_series", "series_of"]
 
@@ -57,13 +57,17 @@ class NamedModel:
     def may_tell_more(self, requirement: Requirement, ask: Ask, known: Iterable[Check]) -> bool:
         """Return whether it may decide what those before it left open, ``known`` by their checks.
 
-        In a joint of the plane shells judge little, and solids not all. A load that buckles blades
-        whose errors nobody knows would be looked for in vain, and so would be the stiffness of
-        hinges where a pass hangs on what limbs weigh that nobody has weighed.
+        In a joint of the plane shells judge little, and solids not all; shells decide nothing where
+        an effect that they lack leaves no error of a stress. A load that buckles blades whose
+        errors nobody knows would be looked for in vain, and so would be the stiffness of hinges
+        where a pass hangs on what limbs weigh that nobody has weighed.
         """
         if self.name == "shell" and not self.design.geometry.in_space:
+            asked, of_stress = requirement.by_shells, QuantityKind.STRESS
+            if asked is of_stress and not self.joint_model.may_know(ask, of_stress):
+                return False
             unsure = not requirement.is_of_stress or any(map(_is_unsure, known))
-            return requirement.by_shells and unsure
+            return asked is not None and unsure
         if self.name == "solid":
             hangs = requirement.weighs(ask.scene) and all(map(_hangs_on_mass, known))
             unweighed = hangs and ask.geometry.has_limbs(ask.material.elastic, ask.sizes)

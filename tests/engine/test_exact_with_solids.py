@@ -5,6 +5,7 @@ import yaml
 
 import flexcli
 from flexcli.errors import SolveError
+from flexcli.mechanics.solids.unit_loads import NeckUnderLoads
 
 NOTCH = """
 flexure: 1
@@ -256,3 +257,21 @@ def test_solids_are_not_asked_where_the_spec_leaves_out_what_they_have_of_thick_
     )
     assert whole.model == "solid"
     assert (without.model, without.verdict.value) == ("exact", "undecided")
+
+
+def test_a_deflection_in_the_plane_asks_no_compliance_across_it(tmp_path, monkeypatch):
+    asked, compliance = set(), NeckUnderLoads.compliance
+
+    def recorded(neck, index):
+        asked.add(index)
+        return compliance(neck, index)
+
+    monkeypatch.setattr(NeckUnderLoads, "compliance", recorded)
+    bound = "  deflection: {direction: y, max: 1 mm}"
+    found = only(checked(tmp_path, bound, case="wrench: {y: 1 N}", model="solid"))
+    assert asked == {0, 1, 5}
+    # what acts across its plane as well asks for all, and moves it alike in it
+    beside = only(checked(tmp_path, bound, case="wrench: {y: 1 N, z: 1 nN}", model="solid"))
+    assert asked == set(range(6))
+    assert beside.factor == pytest.approx(found.factor, rel=1e-9)
+    assert beside.factor_range == pytest.approx(found.factor_range, rel=1e-6)

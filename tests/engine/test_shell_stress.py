@@ -14,7 +14,7 @@ from flexcli.engine.models import NamedModel
 from flexcli.engine.solid.numbers import StressPlace
 from flexcli.engine.verifying.model_numbers import ModelNumbers
 from flexcli.errors import SolveError
-from flexcli.results import Verdict
+from flexcli.results import QuantityKind, Verdict
 
 SOLIDS = [
     json.loads(line)
@@ -112,3 +112,21 @@ def test_shells_do_not_judge_by_what_a_spec_leaves_out(effect):
     spec = guided(effects={effect: "off"})
     with pytest.raises(SolveError, match="no shell model"):
         flexcli.check(yaml.safe_dump(spec), model="shell")
+
+
+def test_shells_are_not_asked_of_a_stress_that_an_effect_leaves_without_error(monkeypatch):
+    spec = guided(b="20 mm", h="0.4 mm", effects={"shear": "off"})
+    spec["geometry"] = {
+        "kind": "star", "h": "0.4 mm", "l": "20 mm", "b": "20 mm", "p": "1 mm",
+        "angles": ["0 deg", "80 deg"],
+    }  # fmt: skip
+    spec["cases"] = {"work": {"stroke": {"rotation": "1 mrad"}}}
+    model, ask = asked(spec)
+    assert model.error(ask, QuantityKind.STRESS) is None
+
+    def none(ask):
+        raise AssertionError("shells were asked")
+
+    monkeypatch.setattr("flexcli.engine.joint_models.exact_with_shells.by_plates", none)
+    (check,) = flexcli.check(yaml.safe_dump(spec)).checks
+    assert check.verdict is Verdict.UNDECIDED

@@ -5,6 +5,9 @@ from math import sqrt, tan, tanh
 import pytest
 
 import flexcli
+from flexcli.engine.joint_models.space_stroke import at_travel, driven_coordinate
+from flexcli.engine.models import NamedModel
+from flexcli.mechanics.space.layout import SpaceLoad
 from flexcli.results import Status, Verdict
 
 E, ALPHA, H, L, REACH = 114e9, 9e-6, 0.4e-3, 20e-3, 30e-3
@@ -260,3 +263,25 @@ requirements: {{deflection: {{direction: z, max: 1 m}}}}
     assert given(sagged)[0] < moved.demand < given(sagged)[1]
     assert moved.demand > 1.1 * deflection("stroke: {translation: 1 um}", "exact").demand
     assert deflection(sags, "linear").factor_range is None
+
+
+def test_a_joint_let_go_at_a_stroke_under_what_held_it_there_stays():
+    spec = """
+    flexure: 1
+    material: {youngs_modulus: 200 GPa, poisson_ratio: 0.3}
+    geometry: {kind: cross-spring, h: 0.2 mm, l: 20 mm, b: 4 mm, delta: -0.5, half_angle: 45 deg}
+    cases: {work: {stroke: {rotation: 0.4 rad}}}
+    requirements: {stiffness: {min: 1e-9 N*m/rad}}
+    """
+    design = flexcli.load(spec).part
+    (scene,) = design.scenes()
+    ask = design.ask(scene, design.fixed_sizes(), NamedModel(design, "exact").joint_model)
+    held = at_travel(ask, 0.4)
+    drive, own = held.layout.drive, driven_coordinate(held.layout)
+    effort = float(held.reactions.ravel()[own])
+    push = SpaceLoad(drive.body, drive.point, (0.0,) * 3, (0.0, 0.0, effort * drive.direction[2]))
+    let_go = at_travel(ask, None, loads=(push,), start=held)
+    from_rest = at_travel(ask, None, loads=(push,))
+    for state in (let_go, from_rest):
+        assert state.coordinates == pytest.approx(held.coordinates, rel=1e-4, abs=1e-5)
+    assert let_go.iterations < from_rest.iterations

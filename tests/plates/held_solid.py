@@ -9,7 +9,7 @@ from numpy.polynomial.legendre import Legendre, leggauss
 
 from flexcli.mechanics.solids.lagrange import element, places_along
 from flexcli.mechanics.solids.neck import Neck, neck_lattice
-from flexcli.mechanics.solids.octant import Lattice, moved
+from flexcli.mechanics.solids.octant import Lattice, Octant
 
 ORDERS = (4, 4, 4)
 FIRST, GROWING = 0.15, (2.0, 2.5)
@@ -18,7 +18,7 @@ POINTS = 24
 
 def lengthening(lattice, nu, end=np.inf):
     """Return it of all of a body up to a place along it [m], its octant a lattice."""
-    stress = moved(lattice, 1.0, nu)[0].stress
+    stress = Octant(lattice, 1.0, nu).moved(0).stress
     along = integral(lattice, stress[..., 0], np.inf) / lattice.x[-1, 0]
     return 2.0 * integral(lattice, stress[..., 1] + stress[..., 2], end) / along
 

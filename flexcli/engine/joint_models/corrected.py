@@ -73,9 +73,13 @@ class Corrected(JointModel):
         }
         return frozenset(self.inner.covers | self.inner.always | known) - lacking
 
-    def springs(self, ask: Ask) -> "tuple[MemberSprings, ...] | None":
+    def springs(self, ask: Ask, *, in_plane: bool) -> "tuple[MemberSprings, ...] | None":
         """Return those of the inner model."""
-        return self.inner.springs(ask)
+        return self.inner.springs(ask, in_plane=in_plane)
+
+    def may_know(self, ask: Ask, kind: QuantityKind) -> bool:
+        """Return whether the effects leave an error, whatever the inner model may carry."""
+        return self._left_by(ask, kind, EXACT, self.inner.may_carry(kind)) is not None
 
     def frequency_factor(self, ask: Ask) -> float:
         """Return what the effects change beside the stiffness."""
@@ -212,7 +216,11 @@ class Corrected(JointModel):
 
     def _widening(self, ask: Ask, kind: QuantityKind = QuantityKind.STRESS) -> ModelEffect | None:
         """Return the effect of wide blades where it corrects a kind of number of the model."""
-        carried = self.inner.covers | self.inner.always | self.inner.carries(ask, kind)
+        return self._widening_beside(self.inner.carries(ask, kind))
+
+    def _widening_beside(self, carried: frozenset[EffectName]) -> ModelEffect | None:
+        """Return it where the model carries these besides what it always has."""
+        carried |= self.inner.covers | self.inner.always
         both = (e for e in self.effects if e.name not in carried)
         return next((e for e in both if e.name is EffectName.PLATE_WIDENING), None)
 
@@ -475,11 +483,16 @@ class Corrected(JointModel):
         carried: frozenset[EffectName] = frozenset(),
     ) -> ErrorRange | None:
         """Return an error with what the effects leave that are not carried."""
-        carried |= self.inner.carries(ask, kind)
+        return self._left_by(ask, kind, found, carried | self.inner.carries(ask, kind))
+
+    def _left_by(
+        self, ask: Ask, kind: QuantityKind, found: ErrorRange, carried: frozenset[EffectName]
+    ) -> ErrorRange | None:
+        """Return an error with what all effects leave but those that are carried."""
         ask = _asked(ask, kind)
         setting, inner = _setting(ask), self.inner.covers | self.inner.always
         missing, applied, beside, whole = self._missing(setting), [], [], True
-        widening = self._widening(ask) if kind is QuantityKind.STRESS else None
+        widening = self._widening_beside(carried) if kind is QuantityKind.STRESS else None
         low = high = 1.0
         for effect in (*self.effects, *self.omitted):
             if kind not in effect.only or effect.indicator(setting) is None:

@@ -5,14 +5,15 @@ three planes. What a case does to a joint of them is what exact beams say, in th
 stroke; what the stroke itself does is that of the solids, which share what acts across it.
 """
 
-from collections.abc import Callable, Iterable
-from functools import partial
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.exact_with_solids import (
+    ALONG,
     MOMENT,
+    SWING,
     ExactWithSolids,
     Wrenches,
     compliance_ends,
@@ -36,18 +37,11 @@ __all__ = ["ExactWithLimbs"]
 
 Floats = NDArray[np.float64]
 
-ALONG, SWING = 0, 1
-"""A force along a limb, and one across it in the plane, among six."""
-
 BENDS = ((SWING, MOMENT), (2, 4))
 """Forces across a limb, and the moments by which they bend its hinges."""
 
 PLANAR = [ALONG, SWING, MOMENT]
 """What a limb bears in the plane, among six."""
-
-AS_IN_PLANE = (ALONG, SWING, SWING, MOMENT, MOMENT, MOMENT)
-"""Unit loads that stand for all six where nothing acts across the plane: the stroke, a motion in
-it, strains no spring across it."""
 
 THINNEST = 0.01
 """Least thickness of a throat over the depth of its notch: of thinner ones few digits are left,
@@ -84,12 +78,7 @@ class ExactWithLimbs(ExactWithSolids):
             raise NotAvailable("has limbs whose notches almost meet, of which there are no solids")
         return sizes, limb
 
-    def springs(self, ask: Ask) -> tuple[MemberSprings, ...]:
-        """Return the springs of all hinges: those of each limb make the solid."""
-        find = partial(self._springs_of_hinges, ask, range(6))
-        return self._known_springs.of("springs", ask, find)
-
-    def _springs_of_hinges(self, ask: Ask, indices: Iterable[int]) -> tuple[MemberSprings, ...]:
+    def _springs_by(self, ask: Ask, loads: Sequence[int]) -> tuple[MemberSprings, ...]:
         """Return springs by the compliances of a limb to these unit loads, one for each of six.
 
         They stand where two equal ones give way as the whole limb does. A force across a limb
@@ -99,7 +88,7 @@ class ExactWithLimbs(ExactWithSolids):
         one_alone()
         sizes, limb = self._limb(ask)
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
-        each = [self._compliance(ask, index) for index in indices]
+        each = [self._compliance(ask, index) for index in loads]
         C, off = np.array([C / 2.0 for C, _ in each]), np.array([error for _, error in each])
         arms = []
         for across, turn in BENDS:
@@ -137,7 +126,7 @@ class ExactWithLimbs(ExactWithSolids):
     def _joint(self, ask: Ask) -> SpaceJoint:
         """Return the joint in space with its solids."""
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
-        return SpaceJoint(layout, self.springs(ask))
+        return SpaceJoint(layout, self.springs(ask, in_plane=False))
 
     def _beams(self, ask: Ask) -> Floats:
         """Return the six compliances of a limb of beams about its middle, of an inner hinge."""
@@ -153,8 +142,7 @@ class ExactWithLimbs(ExactWithSolids):
     def _joint_in_plane(self, ask: Ask) -> SpaceJoint:
         """Return it for what does not leave its plane."""
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
-        find = partial(self._springs_of_hinges, ask, AS_IN_PLANE)
-        return SpaceJoint(layout, self._known_springs.of("in plane", ask, find))
+        return SpaceJoint(layout, self.springs(ask, in_plane=True))
 
     def _settled_stiffness(self, ask: Ask) -> tuple[float, float]:
         if ask.scene.temperature is not None:

@@ -42,12 +42,20 @@ class ExactWithShells(ExactModel):
         if type(other) is ExactModel:
             self._stresses_of_beams = other._known_stresses
 
-    def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
-        """Return what shells have in a shift or a stress, and its error."""
+    def may_carry(self, kind: QuantityKind) -> frozenset[EffectName]:
+        """Return what shells have in a shift or a stress, where they tell it."""
         if kind is QuantityKind.SHIFT:
             return frozenset({EffectName.PLATE_WIDENING})
-        if kind is QuantityKind.STRESS and self._plates(ask) is not None:
+        if kind is QuantityKind.STRESS:
             return frozenset({EffectName.PLATE_WIDENING, EffectName.ANTICLASTIC})
+        return frozenset()
+
+    def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
+        """Return what shells have in a shift or a stress, and its error."""
+        if kind is QuantityKind.SHIFT or (
+            kind is QuantityKind.STRESS and self._plates(ask) is not None
+        ):
+            return self.may_carry(kind)
         return super().carries(ask, kind)
 
     def _plates(self, ask: Ask) -> PlateStresses | None:

@@ -5,6 +5,8 @@ surface under six unit loads. What a case bears is what exact beams say, in the 
 stroke; the moment of the stroke itself is that of the solid.
 """
 
+from collections.abc import Sequence
+from functools import partial
 from itertools import product
 from typing import NamedTuple, TypeAlias
 
@@ -63,6 +65,13 @@ WHOLE = frozenset(
 
 TURN, MOMENT = 5, 5
 """Rotation and moment of the stroke, among six."""
+
+ALONG, SWING = 0, 1
+"""A force along a notch or a limb, and one across it in the plane, among six."""
+
+AS_IN_PLANE = (ALONG, SWING, SWING, MOMENT, MOMENT, MOMENT)
+"""Unit loads that stand for all six where nothing acts across the plane: a motion in it strains no
+spring across it."""
 
 SMALL_TURN = 0.087
 """Rotation [rad] up to which what a stroke adds to the error grows with it; there CalculiX's solids
@@ -136,22 +145,25 @@ class ExactWithSolids(ExactModel):
         self._known_solids: Remembered[_Solids] = Remembered()
         self._known_springs: Remembered[tuple[MemberSprings, ...]] = Remembered()
 
-    def springs(self, ask: Ask) -> tuple[MemberSprings, ...]:
-        """Return the six springs of the solid."""
-        return self._known_springs.of("springs", ask, lambda: (self._springs(ask),))
+    def springs(self, ask: Ask, *, in_plane: bool) -> tuple[MemberSprings, ...]:
+        """Return the six springs of the solid, or those that are strained in the plane."""
+        loads = AS_IN_PLANE if in_plane else tuple(range(6))
+        find = partial(self._springs_by, ask, loads)
+        return self._known_springs.of("in plane" if in_plane else "springs", ask, find)
 
-    def _springs(self, ask: Ask) -> MemberSprings:
+    def _springs_by(self, ask: Ask, loads: Sequence[int]) -> tuple[MemberSprings, ...]:
+        """Return springs by the compliances to these unit loads, one for each of six."""
         one_alone()
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
         member = springs_of(layout.blades[0])
         middle = np.asarray(member.l / 2.0)
-        each = [self._compliance(ask, index) for index in range(6)]
+        each = [self._compliance(ask, index) for index in loads]
         stiffness = np.array([1.0 / C for C, _ in each])
         off = np.array([error for _, error in each])
         springs = member.springs._replace(
             stiffness=stiffness, across_thickness=middle, across_width=middle
         )
-        return MemberSprings(springs, -off, off, member.axes, member.l, member.constrains)
+        return (MemberSprings(springs, -off, off, member.axes, member.l, member.constrains),)
 
     def _settled_stiffness(self, ask: Ask) -> tuple[float, float]:
         if ask.scene.temperature is not None:

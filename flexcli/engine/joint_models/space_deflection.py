@@ -254,14 +254,19 @@ class _Strained(NamedTuple):
         return cls(ask, tuple(signed(groups, signs)), (*heat, *states))
 
     def at(
-        self, travel: float | None, blades: Blades | None = None, *, more: Loads = ()
+        self,
+        travel: float | None,
+        blades: Blades | None = None,
+        *,
+        more: Loads = (),
+        start: SpaceEquilibrium | None = None,
     ) -> SpaceEquilibrium:
         """Return it at a travel, under more loads; a stroke is from where its own leave it."""
         if self.loads and travel is not None:
             own = driven_coordinate(joint_of(self.ask).layout)
             under, free = (at_travel(self.ask, None, loads=each) for each in (self.loads, ()))
             travel += float((under.coordinates - free.coordinates).ravel()[own])
-        return at_travel(self.ask, travel, blades, loads=(*more, *self.loads))
+        return at_travel(self.ask, travel, blades, loads=(*more, *self.loads), start=start)
 
     def error(self) -> float:
         """Return by what share of itself beams may be off in what strains it changes.
@@ -579,7 +584,10 @@ def _moved(strained: _Strained, loads: Loads, sought: Floats) -> float:
 
 
 def _moved_at(strained: _Strained, travel: float, loads: Loads, sought: Floats) -> float:
-    """Return how far loads move what is sought from a travel, what drives it there held."""
+    """Return how far loads move what is sought from a travel, what drives it there held.
+
+    Pushed by that alone, the joint stays where it is, if it is stable there.
+    """
     strained = strained._replace(ask=strained.ask._replace(near=None))
     along, held = along_cases(strained.ask), strained.at(travel)
     drive = held.layout.drive
@@ -589,7 +597,7 @@ def _moved_at(strained: _Strained, travel: float, loads: Loads, sought: Floats) 
     if not drive.turns:
         push = SpaceLoad(drive.body, drive.point, (x, y, z))
     body = held.layout.body(drive.body)
-    under, free = (strained.at(None, more=(push, *more)) for more in (loads, ()))
+    under, free = (strained.at(None, more=(push, *more), start=held) for more in (loads, ()))
     moved = (state.motion_of(body.name, body.point) for state in (under, free))
     return float(sought @ along @ np.subtract(*moved))
 

@@ -48,7 +48,7 @@ TOLERANCE = 1e-5
 Loads: TypeAlias = tuple[SpaceLoad, ...]
 """Dead loads on bodies of a layout."""
 
-_Asked: TypeAlias = tuple[str, float | None, Loads, bool]
+_Asked: TypeAlias = tuple[str, float | None, Loads, bool, bool]
 
 _KNOWN: WeakKeyDictionary[SpaceJoint, dict[_Asked, SpaceEquilibrium | SolveError]]
 _KNOWN = WeakKeyDictionary()
@@ -76,12 +76,13 @@ def at_travel(
     *,
     loads: Loads = (),
     warm: bool = True,
+    start: SpaceEquilibrium | None = None,
 ) -> SpaceEquilibrium:
     """Return the joint at a travel of its drive, all else free but for a guide; by beams if unsaid.
 
     Without a travel the drive is free: the joint is as its loads and its temperature leave it,
-    which it has where it is ``warm``. Where the ask is ``near`` another, what a small change makes
-    of that one.
+    which it has where it is ``warm``; the path is that from ``start`` where there is one, of the
+    same blades. Where the ask is ``near`` another, what a small change makes of that one.
 
     Raises
     ------
@@ -94,7 +95,8 @@ def at_travel(
     heat = ask.scene.temperature if warm else None
     joint = joint_of(ask, warm=warm)
     blades = BEAMS if blades is None else blades
-    known, key = _KNOWN.setdefault(joint, {}), (blades.name, travel, loads, ask.near is not None)
+    known = _KNOWN.setdefault(joint, {})
+    key = blades.name, travel, loads, ask.near is not None, start is not None
     if key not in known:
         layout, frames = joint.layout, drive_frame(joint.layout.drive)
         motion = held_motion(ask, layout, travel)
@@ -108,6 +110,7 @@ def at_travel(
                     tolerance=blades.tolerance,
                     levels=blades.levels,
                     made=blades.made,
+                    start=start,
                 ).checked()
             except SolveError as error:  # whoever asks next need not look for it again
                 known[key] = error

@@ -4,7 +4,9 @@ The body is a plane region drawn out along z, so that what is integrated over a 
 of its face and its width. Layers of bricks, one after the other along x, are solved by blocks.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -13,7 +15,7 @@ from scipy.linalg import cholesky, solve_triangular
 
 from flexcli.mechanics.solids.lagrange import element
 
-__all__ = ["LOADS", "Lattice", "Load", "Moved", "moved"]
+__all__ = ["LOADS", "Lattice", "Load", "Moved", "Octant"]
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -72,23 +74,33 @@ LOADS = (
 )
 """In the order of a wrench, about the middle of the body, which makes its compliance diagonal."""
 
+IN_PLANE, ACROSS = (0, 1, 5), (2, 3, 4)
+"""Loads in the plane of its face, of which alone most cases ask, and across it."""
 
-class Moved(NamedTuple):
-    """The octant under a unit load: compliance [m/N or rad/(N·m)], stresses at the nodes [Pa].
 
-    ``stress`` (along, across, width, 6) are xx, yy, zz, yz, zx, xy.
+@dataclass(frozen=True, eq=False)
+class Moved:
+    """The octant under a unit load: compliance [m/N or rad/(N·m)], motions of the nodes [m].
+
+    ``motions`` are (along, across, width, 3); they and the compliance hold for a load of one.
     """
 
     compliance: float
-    stress: Floats
+    motions: Floats
+    lattice: Lattice
+    elastic: tuple[float, float]
+
+    @cached_property
+    def stress(self) -> Floats:
+        """Return xx, yy, zz, yz, zx, xy at the nodes (along, across, width, 6) [Pa]."""
+        return _stress(self.lattice, self.motions, *self.elastic)
 
 
-def moved(lattice: Lattice, E: float, nu: float) -> tuple[Moved | None, ...]:
-    """Return what each of the unit loads does to the body between rigid ends.
+class Octant:
+    """The body between rigid ends that move by one, each its way, under unit loads.
 
-    The ends move by one, rigidly, each its way. What is sought is the rest of the motion: none at
-    the end, and in the middle what symmetry holds against that. Nothing is returned for a load
-    under which the body is so slender that no digits are left.
+    What is sought is the rest of the motion: none at the end, and in the middle what symmetry holds
+    against that. Loads in the plane are solved together, when one is first asked for, or across it.
 
     Parameters
     ----------
@@ -98,58 +110,132 @@ def moved(lattice: Lattice, E: float, nu: float) -> tuple[Moved | None, ...]:
         Young's modulus [Pa] and Poisson's ratio below ½ [-].
 
     """
-    stiffness, each = _Layers(lattice, E, nu), [_UnderLoad(lattice, load) for load in LOADS]
-    everywhere = np.all([one.free for one in each], axis=0)
-    # from the rigid end to the middle, so that a soft throat keeps its digits
-    within = list[_Within]()
-    for n in range(lattice.layers - 1, -1, -1):
-        try:
-            within.append(_Within(stiffness.of_layer(n), everywhere[lattice.planes_of(n)]))
-        except np.linalg.LinAlgError:
-            return (None,) * len(each)
-        for one in each:
-            one.eliminate(n, within[-1])
-    return tuple(one.moved(within[::-1], E, nu) for one in each)
+
+    def __init__(self, lattice: Lattice, E: float, nu: float) -> None:
+        self.lattice = lattice
+        self.elastic = E, nu
+        self._known: dict[int, Moved | None] = {}
+
+    def moved(self, index: int) -> Moved | None:
+        """Return what the load of a place in a wrench does, by which the ends move.
+
+        It is nothing for a load under which the body is so slender that no digits are left.
+        """
+        if index not in self._known:
+            self._solve(IN_PLANE if index in IN_PLANE else ACROSS)
+        return self._known[index]
+
+    def _solve(self, indices: Iterable[int]) -> None:
+        """Solve some loads, those of the same mirror images in y and z together."""
+        groups = dict[tuple[int, int], list[int]]()
+        for index in indices:
+            groups.setdefault(LOADS[index].signs[1:], []).append(index)
+            self._known[index] = None
+        each = {signs: _Mirrored(self.lattice, signs) for signs in groups}
+        layers = list[_Layer]()
+        # from the rigid end to the middle, so that a soft throat keeps its digits
+        for n in range(self.lattice.layers - 1, -1, -1):
+            try:
+                layers.append(_Layer(self.lattice, n, *self.elastic))
+            except np.linalg.LinAlgError:
+                return
+            for one in each.values():
+                one.eliminate(n, layers[-1])
+        for signs, group in groups.items():
+            for index in group:
+                found = each[signs].moved(LOADS[index], layers[::-1])
+                if found is not None:
+                    self._known[index] = Moved(*found, self.lattice, self.elastic)
 
 
-class _Within:
-    """A layer whose nodes off its ends and off the planes of symmetry follow the others.
+class _Following:
+    """Motions of which some follow the others, told by their places: ``own`` those, ``rest`` these.
 
-    These move freely under any load: they are eliminated once for all. ``left`` is the stiffness of
-    the others, ``others`` tells which of the layer's motions they are.
+    ``left`` is the stiffness of the others. Only what moves freely may follow.
     """
 
-    def __init__(self, K: Floats, free: Flags) -> None:
-        inside = free.copy()
-        inside[0] = inside[-1] = False
-        self.shape, self.inside, self.others = free.shape, inside.ravel(), ~inside.ravel()
-        own, rest = np.flatnonzero(self.inside), np.flatnonzero(self.others)
-        self.factor = _factor(K[np.ix_(own, own)])
-        self.forces = _solved(self.factor, K[np.ix_(own, rest)])
-        self.left = K[np.ix_(rest, rest)] - self.forces.T @ self.forces
+    def __init__(self, K: Floats, own: Integers, rest: Integers) -> None:
+        """Take the stiffness of all, those that follow first."""
+        self.own, self.rest = own, rest
+        count = own.size
+        self.factor = _factor(K[:count, :count].copy())
+        self.forces = _solved(self.factor, K[:count, count:])
+        self.left = K[count:, count:] - self.forces.T @ self.forces
+
+    @classmethod
+    def among(cls, K: Floats, own: Integers, rest: Integers) -> "_Following":
+        """Return them by a stiffness in the order of the places."""
+        order = np.concatenate([own, rest])
+        return cls(K[np.ix_(order, order)], own, rest)
+
+    def fill(self, w: Floats) -> None:
+        """Set the motions that follow by the others."""
+        w[self.own] = -_solved(self.factor, self.forces @ w[self.rest], transposed=True)
+
+
+class _Layer:
+    """A layer whose nodes off its ends and off the planes of symmetry follow the others.
+
+    These move freely under any load: those within a brick are eliminated, then those between
+    bricks. ``left`` is the stiffness of the others, at the places ``others`` (of the layer's
+    motions, in the order of the lattice).
+    """
+
+    def __init__(self, lattice: Lattice, n: int, E: float, nu: float) -> None:
+        _, across, wide = lattice.orders
+        rows, columns, width = lattice.orders[0] + 1, *lattice.shape[1:]
+        self.shape = rows, columns, width, 3
+        inside = np.ones(self.shape, dtype=bool)
+        inside[0] = inside[-1] = inside[:, 0] = inside[:, :, 0] = False
+        numbers = np.arange(inside.size).reshape(self.shape)
+        apart = np.ones(self.shape, dtype=bool)  # off the faces between bricks
+        apart[:, across:-1:across] = apart[:, :, wide:-1:wide] = False
+        within, between = inside & apart, inside & ~apart
+        kept = np.concatenate([np.flatnonzero(between), np.flatnonzero(~inside)])
+        place = np.full(inside.size, -1)
+        place[kept] = np.arange(kept.size)
+        K = np.zeros((kept.size, kept.size))
+        self.bricks = list[tuple[Integers, _Following]]()
+        for first in range(0, columns - 1, across):
+            at = slice(first, first + across + 1)
+            of_brick = _Bricks(lattice, n, at, E, nu)
+            for side in range(0, width - 1, wide):
+                over = slice(side, side + wide + 1)
+                half = (lattice.z[side + wide] - lattice.z[side]) / 2.0
+                own = np.moveaxis(numbers[:, at, over], -1, 0).ravel()
+                brick = of_brick.following(half, within.ravel()[own])
+                self.bricks.append((own, brick))
+                rest = place[own[brick.rest]]
+                K[np.ix_(rest, rest)] += brick.left
+        own, rest = np.split(np.arange(kept.size), [np.count_nonzero(between)])
+        self.between = kept, _Following(K, own, rest)
+        self.others, self.left = kept[rest], self.between[1].left
 
     def whole(self, others: Floats) -> Floats:
         """Return the motions of all nodes of the layer by those of the others."""
-        w = np.empty(self.inside.size)
+        w = np.empty(int(np.prod(self.shape)))
         w[self.others] = others
-        w[self.inside] = -_solved(self.factor, self.forces @ others, transposed=True)
+        for numbers, part in (self.between, *self.bricks):
+            own = w[numbers]
+            part.fill(own)
+            w[numbers] = own
         return w.reshape(self.shape)
 
 
-class _UnderLoad:
-    """The octant under one unit load, layers eliminated up to a plane.
+class _Mirrored:
+    """The octant under loads of the same mirror images in y and z, layers eliminated up to a plane.
 
     ``beyond`` is the stiffness of what moves freely in that plane, ``kept`` has for each layer
     which of its other motions follow those of the plane before it, and how.
     """
 
-    def __init__(self, lattice: Lattice, load: Load) -> None:
-        self.lattice, self.load = lattice, load
-        self.free = _free(lattice, load)
+    def __init__(self, lattice: Lattice, signs: tuple[int, int]) -> None:
+        self.lattice = lattice
+        self.free = _free(lattice, signs)
         self.beyond: Floats | None = np.zeros((0, 0))
-        self.kept = list[tuple[Integers, Integers, Floats, Floats]]()
+        self.kept = list[_Following]()
 
-    def eliminate(self, n: int, layer: _Within) -> None:
+    def eliminate(self, n: int, layer: _Layer) -> None:
         """Eliminate a layer but for the plane before it; beyond it all are eliminated already."""
         if self.beyond is None:
             return
@@ -157,41 +243,42 @@ class _UnderLoad:
         near = np.zeros_like(own)
         near[0], own[0] = own[0], False
         at, before = (np.flatnonzero(each.ravel()[layer.others]) for each in (own, near))
-        K, last = layer.left[np.ix_(at, at)], len(self.beyond)
+        K, last = layer.left, len(self.beyond)
         if last:
-            K[-last:, -last:] += self.beyond
+            K = K.copy()
+            K[np.ix_(at[-last:], at[-last:])] += self.beyond
         try:
-            factor = _factor(K)
+            self.kept.append(_Following.among(K, at, before))
         except np.linalg.LinAlgError:
             self.beyond = None
             return
-        forces = _solved(factor, layer.left[np.ix_(at, before)])
-        self.beyond = layer.left[np.ix_(before, before)] - forces.T @ forces
-        self.kept.append((at, before, factor, forces))
+        self.beyond = self.kept[-1].left
 
-    def moved(self, layers: list[_Within], E: float, nu: float) -> Moved | None:
-        """Return what the load does, its layers from the middle on; nothing without digits."""
+    def moved(self, load: Load, layers: list[_Layer]) -> tuple[float, Floats] | None:
+        """Return the compliance to a load and its motions, the layers from the middle on.
+
+        Nothing is returned without digits.
+        """
         if self.beyond is None:
             return None
         lattice, w = self.lattice, np.zeros((*self.lattice.shape, 3))
         try:
-            middle, work = self._middle(self.beyond)
+            middle, work = self._middle(self.beyond, load)
         except np.linalg.LinAlgError:
             return None
         if not work > 0.0:
             return None
-        for n, layer in enumerate(layers):
-            at, before, factor, forces = self.kept.pop()
+        for n, (layer, follows) in enumerate(zip(layers, self.kept[::-1], strict=True)):
             others = np.zeros(len(layer.left))
-            others[before] = middle
-            others[at] = -_solved(factor, forces @ middle, transposed=True)
+            others[follows.rest] = middle
+            follows.fill(others)
             planes = lattice.planes_of(n)
             w[planes] = layer.whole(others)
             middle = w[planes.stop - 1][self.free[planes.stop - 1]]
         # eight octants, whose ends move by one each way
-        return Moved(1.0 / (2.0 * work), _stress(lattice, w / (4.0 * work), E, nu))
+        return 1.0 / (2.0 * work), w / (4.0 * work)
 
-    def _middle(self, K: Floats) -> tuple[Floats, float]:
+    def _middle(self, K: Floats, load: Load) -> tuple[Floats, float]:
         """Return how the plane x = 0 moves against an end that moves by one, and the work of that.
 
         ``K`` is the stiffness of what y and z = 0 leave free of it, where the end is held.
@@ -199,9 +286,9 @@ class _UnderLoad:
         lattice, free = self.lattice, self.free[0]
         y, z = np.broadcast_arrays(lattice.y[0][:, None], lattice.z)
         at = np.stack([y, z, np.ones_like(y)], axis=-1)
-        back = -at @ np.array(self.load.motion, dtype=np.float64).T
+        back = -at @ np.array(load.motion, dtype=np.float64).T
         along = np.arange(3) == 0
-        led = np.broadcast_to(along if self.load.signs[0] == 1 else ~along, free.shape)[free]
+        led = np.broadcast_to(along if load.signs[0] == 1 else ~along, free.shape)[free]
         given, left = np.flatnonzero(led), np.flatnonzero(~led)
         w = np.zeros(len(K))
         w[given] = back[free][given]
@@ -222,13 +309,13 @@ def _solved(factor: Floats, right: Floats, *, transposed: bool = False) -> Float
     return np.asarray(solve_triangular(factor, right, way, lower=True, check_finite=False))
 
 
-def _free(lattice: Lattice, load: Load) -> Flags:
+def _free(lattice: Lattice, signs: tuple[int, int]) -> Flags:
     """Return which motions (along, across, width, 3) the end and y, z = 0 leave free."""
     free = np.ones((*lattice.shape, 3), dtype=bool)
     free[-1] = False
-    for axis, plane in ((1, free[:, 0]), (2, free[:, :, 0])):
+    for axis, sign, plane in ((1, signs[0], free[:, 0]), (2, signs[1], free[:, :, 0])):
         held = np.arange(3) == axis
-        plane[..., held if load.signs[axis] == 1 else ~held] = False
+        plane[..., held if sign == 1 else ~held] = False
     return free
 
 
@@ -237,54 +324,54 @@ def _lame(E: float, nu: float) -> tuple[float, float]:
     return E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), E / (2.0 * (1.0 + nu))
 
 
-class _Layers:
-    """Stiffness of layers of bricks: products of what is integrated over faces and over widths."""
+class _Bricks:
+    """Stiffness of bricks of the same face: products of what is integrated over it and over widths.
 
-    def __init__(self, lattice: Lattice, E: float, nu: float) -> None:
-        self.lattice = lattice
-        self.lame = _lame(E, nu)
-        self.M, self.C, self.K = _over_width(lattice.z, lattice.orders[2])
+    It is the sum of parts that go with half the width, with nothing of it, and with its inverse.
+    Motions are in the order of their ways, of nodes of the face, and of those over the width.
+    """
 
-    def of_layer(self, n: int) -> Floats:
-        """Return the stiffness of a layer, its nodes in the order of the lattice."""
-        M, C, K = self.M, self.C, self.K
-        lame, mu = self.lame
-        S, D, N = _over_faces(self.lattice, n)  # of slopes, of a slope and a value, of values
-        nodes, width = N.shape[0], M.shape[0]
-        found = np.empty((nodes, width, 3, nodes, width, 3))
+    def __init__(self, lattice: Lattice, n: int, columns: slice, E: float, nu: float) -> None:
+        lame, mu = _lame(E, nu)
+        S, D, N = _over_face(lattice, n, columns)  # of slopes, of a slope and a value, of values
+        one = element(lattice.orders[2])
+        M, C, K = (
+            (f.T * one.weights) @ g
+            for f, g in ((one.values, one.values), (one.slopes, one.values), (one.slopes,) * 2)
+        )
+        nodes, width = len(N), len(M)
+        parts = np.zeros((3, 3, nodes, width, 3, nodes, width))
 
-        def put(i: int, j: int, *products: tuple[Floats, Floats]) -> None:
-            for k, (face, over) in enumerate(products):
-                part = face[:, None, :, None] * over[None, :, None, :]
-                if k == 0:
-                    found[:, :, i, :, :, j] = part
-                else:
-                    found[:, :, i, :, :, j] += part
+        def put(part: int, i: int, j: int, face: Floats, over: Floats) -> None:
+            parts[part, i, :, :, j] += face[:, None, :, None] * over[None, :, None, :]
 
         whole = S[0, 0] + S[1, 1]
         for i in range(2):
-            put(i, i, ((lame + mu) * S[i, i] + mu * whole, M), (mu * N, K))
-            put(i, 1 - i, (lame * S[i, 1 - i] + mu * S[1 - i, i], M))
-            put(i, 2, (lame * D[i], C.T), (mu * D[i].T, C))
-            put(2, i, (lame * D[i].T, C), (mu * D[i], C.T))
-        put(2, 2, ((lame + 2.0 * mu) * N, K), (mu * whole, M))
-        return found.reshape(3 * nodes * width, -1)
+            put(0, i, i, (lame + mu) * S[i, i] + mu * whole, M)
+            put(0, i, 1 - i, lame * S[i, 1 - i] + mu * S[1 - i, i], M)
+            put(1, i, 2, lame * D[i], C.T)
+            put(1, i, 2, mu * D[i].T, C)
+            put(1, 2, i, lame * D[i].T, C)
+            put(1, 2, i, mu * D[i], C.T)
+            put(2, i, i, mu * N, K)
+        put(0, 2, 2, mu * whole, M)
+        put(2, 2, 2, (lame + 2.0 * mu) * N, K)
+        self.parts = parts.reshape(3, 3 * nodes * width, -1)
+        self._ordered = dict[bytes, tuple[Integers, Integers, Floats]]()
+
+    def following(self, half: float, follows: Flags) -> _Following:
+        """Return a brick by half its width [m], of whose motions some follow the others."""
+        key = follows.tobytes()
+        if key not in self._ordered:  # the same of all but the last over the width
+            own, rest = np.flatnonzero(follows), np.flatnonzero(~follows)
+            order = np.concatenate([own, rest])
+            self._ordered[key] = own, rest, self.parts[:, order[:, None], order]
+        own, rest, (growing, even, falling) = self._ordered[key]
+        return _Following(half * growing + even + falling / half, own, rest)
 
 
-def _over_width(z: Floats, order: int) -> tuple[Floats, Floats, Floats]:
-    """Return what values, a slope and a value, and slopes are together over the width."""
-    one = element(order)
-    found = np.zeros((3, z.size, z.size))
-    for first in range(0, z.size - 1, order):
-        at = slice(first, first + order + 1)
-        half = (z[first + order] - z[first]) / 2.0
-        N, d, w = one.values, one.slopes / half, one.weights * half
-        found[:, at, at] += [N.T * w @ N, d.T * w @ N, d.T * w @ d]
-    return found[0], found[1], found[2]
-
-
-def _over_faces(lattice: Lattice, n: int) -> tuple[Floats, Floats, Floats]:
-    """Return what slopes, a slope and a value, and values are together over a layer's faces.
+def _over_face(lattice: Lattice, n: int, columns: slice) -> tuple[Floats, Floats, Floats]:
+    """Return what slopes, a slope and a value, and values are together over a brick's face.
 
     Their shapes are (2, 2, nodes, nodes), (2, nodes, nodes) and (nodes, nodes).
     """
@@ -292,25 +379,13 @@ def _over_faces(lattice: Lattice, n: int) -> tuple[Floats, Floats, Floats]:
     one, other = element(along), element(across)
     values = np.kron(one.values, other.values)
     slopes = np.stack([np.kron(one.slopes, other.values), np.kron(one.values, other.slopes)])
-    weights = np.kron(one.weights, other.weights)
-    columns = lattice.x.shape[1]
-    count = (along + 1) * columns
-    S, D, N = np.zeros((2, 2, count, count)), np.zeros((2, count, count)), np.zeros((count, count))
     rows = lattice.planes_of(n)
-    for first in range(0, columns - 1, across):
-        at = slice(first, first + across + 1)
-        places = np.stack([lattice.x[rows, at].ravel(), lattice.y[rows, at].ravel()])
-        J = np.einsum("rgn,cn->gcr", slopes, places)
-        w = weights * np.linalg.det(J)
-        d = np.einsum("grc,rgn->cgn", np.linalg.inv(J), slopes)
-        numbers = (np.arange(along + 1)[:, None] * columns + np.arange(columns)[at]).ravel()
-        where = np.ix_(numbers, numbers)
-        for i in range(2):
-            for j in range(2):
-                S[i, j][where] += (d[i].T * w) @ d[j]
-            D[i][where] += (d[i].T * w) @ values
-        N[where] += (values.T * w) @ values
-    return S, D, N
+    places = np.stack([lattice.x[rows, columns].ravel(), lattice.y[rows, columns].ravel()])
+    J = np.einsum("rgn,cn->gcr", slopes, places)
+    w = np.kron(one.weights, other.weights) * np.linalg.det(J)
+    d = np.einsum("grc,rgn->cgn", np.linalg.inv(J), slopes)
+    weighed = np.swapaxes(d, 1, 2) * w
+    return weighed[:, None] @ d, weighed @ values, (values.T * w) @ values
 
 
 def _stress(lattice: Lattice, u: Floats, E: float, nu: float) -> Floats:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.mechanics.solids.neck import Neck, neck_lattice
-from flexcli.mechanics.solids.octant import LOADS, Lattice, Moved, moved
+from flexcli.mechanics.solids.octant import LOADS, Moved, Octant
 
 __all__ = ["COARSE", "FINE", "NeckUnderLoads", "equivalent"]
 
@@ -44,11 +44,11 @@ class NeckUnderLoads:
     def __init__(self, neck: Neck, E: float, nu: float) -> None:
         self.neck = neck
         self.elastic = E, nu
-        self._known: dict[tuple[int, int, int], tuple[Moved | None, ...]] = {}
 
     @cached_property
-    def _lattices(self) -> dict[tuple[int, int, int], Lattice]:
-        return {orders: neck_lattice(self.neck, orders) for orders in (COARSE, FINE)}
+    def _octants(self) -> dict[tuple[int, int, int], Octant]:
+        meshes = (COARSE, FINE)
+        return {each: Octant(neck_lattice(self.neck, each), *self.elastic) for each in meshes}
 
     def compliance(self, index: int) -> tuple[float, float]:
         """Return the compliance to a unit load about the middle, and its relative error.
@@ -80,7 +80,7 @@ class NeckUnderLoads:
             to one that is clamped: larger stresses may be beyond.
 
         """
-        lattice = self._lattices[orders]
+        lattice = self._octants[orders].lattice
         rows, near = lattice.mouth + 1, lattice.mouth - orders[0]
         if self.neck.block == 0.0:
             rows = near + 1
@@ -113,9 +113,7 @@ class NeckUnderLoads:
         return abs(float(np.abs(coarse).max() - np.abs(fine).max()))
 
     def _moved(self, orders: tuple[int, int, int], index: int) -> Moved:
-        if orders not in self._known:
-            self._known[orders] = moved(self._lattices[orders], *self.elastic)
-        found = self._known[orders][index]
+        found = self._octants[orders].moved(index)
         if found is None:
             hint = "leave a body as slender as that to beams"
             raise SolveError("too-slender", "a solid has too few digits", hint)

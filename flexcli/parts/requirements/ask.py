@@ -237,8 +237,11 @@ class JointModel(ABC):
         """Return the effects that its numbers include in a design."""
         return self.covers | self.always
 
-    def springs(self, ask: Ask) -> "tuple[MemberSprings, ...] | None":
-        """Return the springs of the blades in space at rest, None for those of formulas."""
+    def springs(self, ask: Ask, *, in_plane: bool) -> "tuple[MemberSprings, ...] | None":
+        """Return the springs of the blades in space at rest, None for those of formulas.
+
+        Those that a motion ``in_plane`` does not strain may be any.
+        """
         return None
 
     def frequency_factor(self, ask: Ask) -> float:
@@ -249,6 +252,10 @@ class JointModel(ABC):
         """Return the error of its numbers of a kind, None where it cannot be estimated."""
         return None
 
+    def may_know(self, ask: Ask, kind: QuantityKind) -> bool:
+        """Return whether it may know the error of its numbers of a kind, before it solves any."""
+        return True
+
     @abstractmethod
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness of the joint along its motion [N·m/rad or N/m]."""
@@ -256,6 +263,10 @@ class JointModel(ABC):
     @abstractmethod
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
+
+    def may_carry(self, kind: QuantityKind) -> frozenset[EffectName]:
+        """Return the effects that a kind of number of any design may have, see ``carries``."""
+        return frozenset()
 
     def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
         """Return the effects that a kind of number and its error have, beside those of all."""

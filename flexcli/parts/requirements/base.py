@@ -109,8 +109,8 @@ class Requirement(Part):
     """Whether its cases add up, as damage does."""
     is_of_stress: ClassVar[bool] = False
     """Whether it compares the largest stress with a strength, whatever causes the stress."""
-    by_shells: ClassVar[bool] = False
-    """Whether shells tell more of it than beams in a joint of the plane too."""
+    by_shells: ClassVar[QuantityKind | None] = None
+    """Its numbers of which shells tell more than beams in a joint of the plane too, if any."""
     by_solids: ClassVar[bool] = False
     """Whether solids of a joint's necks tell more of it than beams."""
     of_the_drawing: ClassVar[bool] = False

@@ -26,7 +26,7 @@ class Fatigue(FactorRequirement):
     """
 
     label: ClassVar[str] = "fatigue"
-    by_shells: ClassVar[bool] = True
+    by_shells: ClassVar[QuantityKind | None] = QuantityKind.STRESS
     by_solids: ClassVar[bool] = True
 
     mean_stress: Literal["goodman", "soderberg", "swt", "none"] = "goodman"

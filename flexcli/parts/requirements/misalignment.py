@@ -52,7 +52,7 @@ class MisalignmentStress(Requirement):
     label: ClassVar[str] = "misalignment stress"
     per_case: ClassVar[bool] = False
     closed_form: ClassVar[bool] = False
-    by_shells: ClassVar[bool] = True
+    by_shells: ClassVar[QuantityKind | None] = QuantityKind.SUPPORT
 
     of: str
     """Blade or rod whose end misses its seat; a drawn one stands for all its copies,

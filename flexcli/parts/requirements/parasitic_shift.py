@@ -19,7 +19,7 @@ class ParasiticShift(Bound):
 
     label: ClassVar[str] = "parasitic shift"
     per_case: ClassVar[bool] = True
-    by_shells: ClassVar[bool] = True
+    by_shells: ClassVar[QuantityKind | None] = QuantityKind.SHIFT
 
     min: None = None
     max: _Length

@@ -69,6 +69,9 @@ CENTRE = (0.0, 0.0, 0.0)
 HELD = 1e-14
 """Share of the compliance below which a guide or the drive holds a direction."""
 
+OUT = [2, 3, 4]
+"""Motions and loads out of the plane, among six along the axes of cases."""
+
 BY_BEAMS = "exact beams in space under the wrench, and their tangent at stroke"
 
 
@@ -78,6 +81,7 @@ def compliance_of(
     *,
     assembly: "SpaceAssembly | None" = None,
     locked: bool = False,
+    in_plane: bool = False,
 ) -> NDArray[np.float64]:
     """Return the 6×6 compliance of the joint at rest, along the axes of cases.
 
@@ -91,6 +95,8 @@ def compliance_of(
         The joint with other springs than its best ones.
     locked : bool
         Whether the drive holds its motion; else all is free but for a guide.
+    in_plane : bool
+        Whether nothing is asked but of a joint's motion in the plane of which it is its own image.
 
     Raises
     ------
@@ -98,7 +104,7 @@ def compliance_of(
         When the joint has no layout, no shear modulus, or a freedom without any spring.
 
     """
-    joint = joint_of_model(ask)
+    joint = joint_of_model(ask, in_plane=in_plane)
     drive = joint.layout.drive
     axes = axes_about_z(ask.geometry.axes)
     place = _at(joint.layout.body(drive.body).point + axes.T @ np.array(point))
@@ -115,12 +121,23 @@ def compliance_of(
     return np.asarray(C)
 
 
+def stays_in_plane(ask: Ask, sought: NDArray[np.float64], load: NDArray[np.float64]) -> bool:
+    """Return whether no motion out of the plane has a part in what a load does to what is sought.
+
+    Both are along the axes of cases (6,).
+    """
+    if sought[OUT].any() or load[OUT].any():
+        return False
+    return joint_in_space(ask.geometry, ask.material, ask.sizes).is_mirrored
+
+
 def deflection_form(ask: Ask, sought: NDArray[np.float64], load: NDArray[np.float64]) -> Form:
     """Return the displacement sought per wrench at the moving body's point, at rest.
 
     Both are along the axes of cases (6,), all free but for a guide.
     """
-    return form_in(ask, joint_of_model(ask), sought, load)
+    joint = joint_of_model(ask, in_plane=stays_in_plane(ask, sought, load))
+    return form_in(ask, joint, sought, load)
 
 
 def form_in(
@@ -148,10 +165,10 @@ def _at(place: NDArray[np.float64]) -> Place:
     return x, y, z
 
 
-def joint_of_model(ask: Ask) -> SpaceJoint:
+def joint_of_model(ask: Ask, *, in_plane: bool = False) -> SpaceJoint:
     """Return the joint in space, with the springs of its model where that has its own."""
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-    springs = ask.joint_model.springs(ask)
+    springs = ask.joint_model.springs(ask, in_plane=in_plane)
     return joint if springs is None else SpaceJoint(joint.layout, springs)
 
 
@@ -206,7 +223,7 @@ class Support(BoundAtStroke):
 
     label: ClassVar[str] = "support"
     by_solids: ClassVar[bool] = True
-    by_shells: ClassVar[bool] = True
+    by_shells: ClassVar[QuantityKind | None] = QuantityKind.SUPPORT
     closed_form: ClassVar[bool] = False
     is_warmed: ClassVar[bool] = True
 
@@ -436,7 +453,7 @@ class Deflection(MotionBound):
 
     label: ClassVar[str] = "deflection"
     by_solids: ClassVar[bool] = True
-    by_shells: ClassVar[bool] = True
+    by_shells: ClassVar[QuantityKind | None] = QuantityKind.SUPPORT
 
     point: Place = CENTRE
     """Point on the moving body that is asked about, from the centre of a pivot or of a stage, or
@@ -488,7 +505,8 @@ class Deflection(MotionBound):
         form = deflection_form(ask, sought, load)
         error: ErrorRange | None = None
         if not ask.scene.moves and form.error is not None:
-            more = beyond_first_order(ask, compliance(ask, CENTRE) @ load, sought, load)
+            moved = compliance(ask, CENTRE, in_plane=stays_in_plane(ask, sought, load)) @ load
+            more = beyond_first_order(ask, moved, sought, load)
             joint, along = joint_of(ask), motion_along(axes_about_z(ask.geometry.axes))
             drive = along @ joint.layout.drive.motion
             driven = all(_is_along(each, drive) for each in (load, sought))

@@ -25,7 +25,7 @@ class Yield(FactorRequirement):
     """Factor on the largest stress, against R_p0.2 unless other allowables are named."""
 
     label: ClassVar[str] = "yield"
-    by_shells: ClassVar[bool] = True
+    by_shells: ClassVar[QuantityKind | None] = QuantityKind.STRESS
     by_solids: ClassVar[bool] = True
     is_of_stress: ClassVar[bool] = True
 

@@ -6,7 +6,7 @@ import pytest
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.solids.lagrange import places_along
 from flexcli.mechanics.solids.neck import Neck, neck_lattice
-from flexcli.mechanics.solids.octant import Lattice, moved
+from flexcli.mechanics.solids.octant import Lattice, Octant
 
 E, NU = 200e9, 0.3
 X, Y, Z, THETA_X, THETA_Y, THETA_Z = range(6)
@@ -24,7 +24,7 @@ def bar(l, orders=(4, 4, 4), *, skewed=0.0):
 
 
 def compliance(l, load, nu=NU, **how):
-    return moved(bar(l, **how), E, nu)[load].compliance
+    return Octant(bar(l, **how), E, nu).moved(load).compliance
 
 
 def rate(load, **how):
@@ -34,7 +34,7 @@ def rate(load, **how):
 
 def test_a_bar_that_does_not_narrow_is_stretched_evenly_by_skewed_bricks():
     lattice = bar(6.0 * H, (3, 3, 2), skewed=0.2)
-    found = moved(lattice, E, 0.0)[X]
+    found = Octant(lattice, E, 0.0).moved(X)
     assert found.compliance == pytest.approx(6.0 * H / (E * B * H), rel=1e-9)
     assert found.stress[..., 0] == pytest.approx(np.full(lattice.shape, 1.0 / (B * H)), rel=1e-7)
     assert np.abs(found.stress[..., 1:]).max() < 1e-7 / (B * H)
@@ -66,7 +66,7 @@ def test_a_bar_sheared_between_rigid_ends_is_timoshenkos():
 
 def test_the_largest_shear_of_a_twisted_bar_is_saint_venants():
     lattice = bar(12.0 * H, (4, 6, 6))
-    found = moved(lattice, E, NU)[THETA_X].stress
+    found = Octant(lattice, E, NU).moved(THETA_X).stress
     # b = 2 h: T/(0.2459 b h²) in the middle of its wide sides
     assert np.abs(found[0, -1, 0, 4]) == pytest.approx(1.0 / (0.2459 * B * H**2), rel=2e-3)
 
@@ -79,8 +79,8 @@ def test_a_higher_order_is_nearer_to_the_finest():
 
 def test_a_slender_body_keeps_digits_where_it_is_stretched_and_none_where_it_bends():
     e, b, l = 20e-6, 0.1e-3, 1.0
-    found = moved(neck_lattice(Neck(e, 1e-3, 2e-3, b, straight=l), (3, 5, 3)), E, NU)
-    assert found[X] is not None
-    assert found[X].compliance == pytest.approx(l / (E * e * b), rel=1e-3)
-    assert found[THETA_Z] is None
-    assert found[Y] is None
+    found = Octant(neck_lattice(Neck(e, 1e-3, 2e-3, b, straight=l), (3, 5, 3)), E, NU).moved
+    assert found(X) is not None
+    assert found(X).compliance == pytest.approx(l / (E * e * b), rel=1e-3)
+    assert found(THETA_Z) is None
+    assert found(Y) is None

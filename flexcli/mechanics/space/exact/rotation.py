@@ -38,10 +38,15 @@ def skew(a: Floats) -> Floats:
 
 def cross(a: Floats, b: Floats) -> Floats:
     """Return ``a × b`` (..., 3); arrays broadcast."""
-    x = a[..., 1] * b[..., 2] - a[..., 2] * b[..., 1]
-    y = a[..., 2] * b[..., 0] - a[..., 0] * b[..., 2]
-    z = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    return np.stack([x, y, z], axis=-1)
+    (a_x, a_y, a_z), (b_x, b_y, b_z) = _components(a), _components(b)
+    x = a_y * b_z - a_z * b_y
+    found = np.empty((*x.shape, 3))
+    found[..., 0], found[..., 1], found[..., 2] = x, a_z * b_x - a_x * b_z, a_x * b_y - a_y * b_x
+    return found
+
+
+def _components(a: Floats) -> tuple[Floats, Floats, Floats]:
+    return a[..., 0], a[..., 1], a[..., 2]
 
 
 def moved(q: Floats, x: Floats) -> Floats:

@@ -78,6 +78,9 @@ def curled(M: Floats, tau: Floats, clamped: Floats, width: Floats, nu: Floats) -
 
     """
     M, tau, p, B, nu = np.broadcast_arrays(M, tau, clamped, width, nu)
+    if not B.any():  # nothing curls
+        none = np.zeros(M.shape)
+        return Curled(M / (1.0 + p), none, 1.0 / (1.0 + p), none, none)
     plate = 1.0 / (1.0 - nu**2)
     kappa = M / (1.0 + p)
     for _ in range(_MOST):
