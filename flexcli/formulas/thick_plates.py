@@ -20,12 +20,15 @@ from flexcli.formulas.plate_factors import (
 )
 from flexcli.formulas.section import shear_parameter
 
-__all__ = ["CARDS", "THICKEST", "thick_arc_factor", "thick_error", "thick_s_factor"]
+__all__ = ["CARDS", "LARGEST_NU", "THICKEST", "thick_arc_factor", "thick_error", "thick_s_factor"]
 
 Floats = NDArray[np.float64]
 
 THICKEST = 0.6
 """Thickness over length up to which solids were compared [-]."""
+
+LARGEST_NU = 0.48
+"""Poisson's ratio up to which, from none on [-]."""
 
 OF_FLAT, OF_SMALL = 0.025, 0.2
 """Largest error of a fit where h ≤ 0.3 l: a share of what a plate stiffens at most, beside that of

@@ -47,11 +47,11 @@ TINY = 1e-12
 def blade_factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor:
     """Return a factor of a formula with its error, of a solid blade between rigid clamps.
 
-    Of one too thick for the solids that were compared, it is that of a plate, with what thickness
-    may change of it.
+    Of one unlike the solids that were compared, it is that of a plate, with what thickness may
+    change of it.
     """
     h, l, b = blade
-    if h > thick.THICKEST * l or h > b:
+    if h > thick.THICKEST * l or h > b or not 0.0 <= nu <= thick.LARGEST_NU:
         return plate_factor(formula, blade, nu, **more)
     own = {"h": h, "l": l, "b": b, "poisson_ratio": nu}
     arc, s_shape = number(thick.thick_arc_factor(**own)), number(thick.thick_s_factor(**own))
