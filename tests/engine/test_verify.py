@@ -388,3 +388,11 @@ def test_a_small_critical_force_is_found():
     found, _ = numbers(geometry, case, unit="N*m/rad", only=("F_cr",))
     assert found["F_cr"].model < 0.2
     assert found["F_cr"].apart == pytest.approx(0.0, abs=3.0 * MESH)
+
+
+def test_the_stress_of_blades_shorter_than_four_thicknesses_is_not_compared():
+    """What is two thicknesses from one clamp is beside the other."""
+    found, _ = numbers(
+        "{kind: guided-blade, h: 3 mm, l: 10 mm, b: 3 mm}", SMALL_SHIFT, nu=0.3, only=("sigma",)
+    )
+    assert "too short" in found["sigma"].why

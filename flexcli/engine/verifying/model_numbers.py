@@ -174,6 +174,7 @@ class ModelNumbers:
         """Return where the stress of solids is compared: where it is greatest but in no corner.
 
         On blades that end in a corner that is two thicknesses from a clamp, else along the face.
+        Those shorter than four thicknesses are left out: near one clamp is near the other.
         """
         layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
         found: dict[StressPlace, float] = {}
@@ -186,11 +187,14 @@ class ModelNumbers:
                     float(2.0 * stretch.bricks.places[stretch.bricks.end(side), 1].max())
                     for side in (0, -1)
                 )
-                at = (float(s.min()) + BESIDE_CLAMP * low, float(s.max()) - BESIDE_CLAMP * high)
+                first, last = s.min() + BESIDE_CLAMP * low, s.max() - BESIDE_CLAMP * high
+                at = (float(first), float(last)) if first <= last else ()
             for face in ("left", "right"):
                 for one in at:
                     place = StressPlace(stretch.name, face, one)
                     found[place] = abs(self._stress_at(ask, place))
+        if not found:
+            raise NotAvailable("has no place away from both clamps: its blades are too short")
         return max(found, key=found.__getitem__)
 
 
