@@ -27,7 +27,7 @@ def bar(*, l, h, b):
     """Return the octant of a blade, its bricks small at its end and faces."""
     thin = min(h, b)
     x, y, z = (
-        places_along(_cuts(size / 2.0, FIRST * thin, ratio), order)
+        places_along(cuts(size / 2.0, FIRST * thin, ratio), order)
         for size, ratio, order in zip(
             (l, h, b), (GROWING[0], *2 * GROWING[1:]), ORDERS, strict=True
         )
@@ -40,7 +40,8 @@ def notch(**sizes):
     return neck_lattice(Neck(**sizes), (5, 3, 3))
 
 
-def _cuts(half, first, ratio):
+def cuts(half, first, ratio):
+    """Return the ends of bricks from the middle, which grow from the edge inwards."""
     cuts, size = [0.0], first
     while cuts[-1] + 1.6 * size < half:
         cuts.append(cuts[-1] + size)

@@ -7,9 +7,10 @@ bricks leave of that makes it stiffer, by up to half a percent of what clamps st
 from typing import NamedTuple
 
 import numpy as np
+from plates.held_solid import cuts
 
 from flexcli.mechanics.solids.lagrange import places_along
-from flexcli.mechanics.solids.octant import Lattice, moved
+from flexcli.mechanics.solids.octant import Lattice, Octant
 
 ORDER, GROWING = 4, 4.0
 S_SHAPED, ARC = 1, 5
@@ -25,18 +26,9 @@ class Factors(NamedTuple):
 
 def factors(*, h, b, nu, first=0.05):
     """Return both, with bricks that begin at a part of the smaller side [-]."""
-    x, y, z = (places_along(_cuts(size / 2.0, first * min(h, b)), ORDER) for size in (1.0, h, b))
-    found = moved(Lattice(*np.meshgrid(x, y, indexing="ij"), z, (ORDER,) * 3), 1.0, nu)
+    least = first * min(h, b)
+    x, y, z = (places_along(cuts(size / 2.0, least, GROWING), ORDER) for size in (1.0, h, b))
+    block = Octant(Lattice(*np.meshgrid(x, y, indexing="ij"), z, (ORDER,) * 3), 1.0, nu)
+    arc, s_shape = (block.moved(index).compliance for index in (ARC, S_SHAPED))
     I, Phi = b * h**3 / 12.0, 2.4 * (1.0 + nu) * h**2
-    return Factors(
-        1.0 / I / found[ARC].compliance, (1.0 + Phi) / 12.0 / I / found[S_SHAPED].compliance
-    )
-
-
-def _cuts(half, first):
-    """Return the ends of bricks from the middle, which grow from the edge inwards."""
-    cuts, size = [0.0], first
-    while cuts[-1] + 1.6 * size < half:
-        cuts.append(cuts[-1] + size)
-        size *= GROWING
-    return half - np.array([*cuts, half])[::-1]
+    return Factors(1.0 / I / arc, (1.0 + Phi) / 12.0 / I / s_shape)
