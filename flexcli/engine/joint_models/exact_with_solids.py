@@ -25,7 +25,13 @@ from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.section_forces import flexible_pieces, section_forces
 from flexcli.mechanics.solids.limb import RigidLimb
 from flexcli.mechanics.solids.neck import Neck
-from flexcli.mechanics.solids.unit_loads import COARSE, FINE, NeckUnderLoads, equivalent
+from flexcli.mechanics.solids.unit_loads import (
+    COARSE,
+    FINE,
+    NeckUnderLoads,
+    equivalent,
+    neck_under_loads,
+)
 from flexcli.mechanics.space.springs import MemberSprings, springs_of
 from flexcli.mechanics.state import Equilibrium
 from flexcli.numerics.rows import number, one_alone
@@ -440,10 +446,10 @@ def _solids(ask: Ask) -> _Solids:
     for block in (*sizes.blocks, *sizes.turning):
         neck = Neck(sizes.e, sizes.depth, sizes.l, sizes.b, sizes.straight, block)
         if limb is not None and limb.may_be_rigid and block == min(sizes.blocks):
-            known[block] = RigidLimb(NeckUnderLoads(neck, E, nu), limb.l)
+            known[block] = RigidLimb(neck_under_loads(neck, E, nu), limb.l)
         elif limb is not None:
             neck = neck._replace(bar=limb.l / 2.0 - neck.end)
-        known.setdefault(block, NeckUnderLoads(neck, E, nu))
+        known.setdefault(block, neck_under_loads(neck, E, nu))
     return _Solids(
         *(tuple(known[block] for block in each) for each in (sizes.blocks, sizes.turning))
     )

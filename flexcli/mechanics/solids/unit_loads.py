@@ -4,7 +4,7 @@ The coarser mesh has bricks of one order less each way; by what both differ the 
 most.
 """
 
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import product
 
 import numpy as np
@@ -14,7 +14,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.solids.neck import Neck, neck_lattice
 from flexcli.mechanics.solids.octant import LOADS, Moved, Octant
 
-__all__ = ["COARSE", "FINE", "NeckUnderLoads", "equivalent"]
+__all__ = ["COARSE", "FINE", "NeckUnderLoads", "equivalent", "neck_under_loads"]
 
 Floats = NDArray[np.float64]
 
@@ -26,6 +26,9 @@ BEYOND = 0.9
 
 TWISTED = 0.208
 """Least torque of a rectangle over b h² times its largest shear: that of a square."""
+
+KEPT = 16
+"""Necks whose solution is kept, a few megabytes each: the next verb or case asks the same."""
 
 VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 """Ways of the stresses as the octant has them."""
@@ -118,6 +121,12 @@ class NeckUnderLoads:
             hint = "leave a body as slender as that to beams"
             raise SolveError("too-slender", "a solid has too few digits", hint)
         return found
+
+
+@lru_cache(maxsize=KEPT)
+def neck_under_loads(neck: Neck, E: float, nu: float) -> NeckUnderLoads:
+    """Return a neck with whatever was solved of it in this process."""
+    return NeckUnderLoads(neck, E, nu)
 
 
 def _signs(parity: tuple[int, int, int], mirrored: tuple[bool, ...]) -> Floats:
