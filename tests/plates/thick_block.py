@@ -9,11 +9,11 @@ from typing import NamedTuple
 import numpy as np
 
 from flexcli.mechanics.solids.lagrange import places_along
-from flexcli.mechanics.solids.octant import Lattice, moved
+from flexcli.mechanics.solids.octant import Lattice, Octant
 
 ORDER, GROWING = 4, 4.0
-S_SHAPED, ARC = 1, 5
-"""Which of the unit loads bend it across its thickness."""
+ALONG, S_SHAPED, ARC = 0, 1, 5
+"""Which of the unit loads stretch it, and bend it across its thickness."""
 
 
 class Factors(NamedTuple):
@@ -25,12 +25,21 @@ class Factors(NamedTuple):
 
 def factors(*, h, b, nu, first=0.05):
     """Return both, with bricks that begin at a part of the smaller side [-]."""
-    x, y, z = (places_along(_cuts(size / 2.0, first * min(h, b)), ORDER) for size in (1.0, h, b))
-    found = moved(Lattice(*np.meshgrid(x, y, indexing="ij"), z, (ORDER,) * 3), 1.0, nu)
+    found = _block(h, b, nu, first)
     I, Phi = b * h**3 / 12.0, 2.4 * (1.0 + nu) * h**2
-    return Factors(
-        1.0 / I / found[ARC].compliance, (1.0 + Phi) / 12.0 / I / found[S_SHAPED].compliance
-    )
+    arc, s_shaped = (found.moved(load).compliance for load in (ARC, S_SHAPED))
+    return Factors(1.0 / I / arc, (1.0 + Phi) / 12.0 / I / s_shaped)
+
+
+def axial_factor(*, h, b, nu, first=0.05):
+    """Return the stiffness along the block over E b h/l [-]."""
+    return 1.0 / (b * h) / _block(h, b, nu, first).moved(ALONG).compliance
+
+
+def _block(h, b, nu, first):
+    """Return an octant of the block."""
+    x, y, z = (places_along(_cuts(size / 2.0, first * min(h, b)), ORDER) for size in (1.0, h, b))
+    return Octant(Lattice(*np.meshgrid(x, y, indexing="ij"), z, (ORDER,) * 3), 1.0, nu)
 
 
 def _cuts(half, first):
