@@ -1,7 +1,7 @@
 """Shifts of first order by the stretching of thick, wide blades, against CalculiX's solids.
 
 Each is the shift at 1 µrad by ``flexure verify`` on three meshes, with by how much the last two
-differ.
+differ. ``tests/benchmarks/thick_shifts.py`` draws others.
 """
 
 import pytest
@@ -29,6 +29,8 @@ SOLIDS = {
                        0.41055223, 1.143853e-10, 1.0e-3),
     "star, h/l 0.23": (star(4.585738, 38.556006, 12.169464, 102.888497, 168.820874),
                        0.31490418, 2.628368e-9, 1.7e-3),
+    "star, h/l 0.31": (star(6.1866626, 19.47506, 20.038024, 29.100969, 155.91011),
+                       0.46239799, 1.279968e-9, 7.5e-3),
     "pair, h/l 0.11": (pair(2.2437025, 53.532182, 10.236629, 57.945978),
                        0.19613108, 1.826766e-10, 4e-4),
     "pair, h/l 0.07": (pair(1.3552413, 11.930054, 16.002011, 23.676638),

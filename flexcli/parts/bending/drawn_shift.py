@@ -18,7 +18,7 @@ from flexcli.mechanics.space.layout import SpaceBlade, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.parts.bending.base import UNEVEN
-from flexcli.parts.bending.plate_range import along_factor, blade_factor
+from flexcli.parts.bending.plate_range import along_factor, blade_factor, is_compared
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 __all__ = ["DrawnPath", "drawn_path"]
@@ -31,6 +31,10 @@ x²/(10l)."""
 
 FITS = 2e-3, 5e-4
 """Errors of the factors of shortening, of an arc and of an S."""
+
+THICKEST = 0.3
+"""Largest h/l of blades of which it is known how plates shorten; of thicker ones all that plates
+change of it counts as an error."""
 
 PLANE = ALONG, ACROSS, TURN = [0, 1, 5]
 """Springs of a blade in its plane: along it, of its S shape and of its arc."""
@@ -162,14 +166,13 @@ def drawn_path(blades: Sequence[Blade], nu: float, layout: Layout, held: Held) -
         joint = _Joint(assemble(from_plane(layout, MOVING, turns=turns)), blades, turns=turns)
     except SolveError:
         return None
-    members = joint.assembly.members
-    if not all(member.is_known and np.isfinite(member.high[PLANE]).all()
-               for member in members):  # fmt: skip
-        return None
     joint, known = joint.of_solids(nu)
+    if not np.isfinite(known).all():
+        return None
     more = np.array([_shortens(blade, nu) for blade in blades])
     off = np.array([_shortens(blade, nu, thick=True) for blade in blades]) - more
-    off = np.abs(off) + FITS
+    unlike = np.array([[blade.h > THICKEST * blade.l] for blade in blades])
+    off = np.abs(off) + FITS + unlike * np.abs(more)
     none = np.zeros_like(more)
     found = joint.path(more)
     # of alike blades errors are alike
@@ -258,13 +261,16 @@ class _Joint:
         drawn = self.factors
         for k, own in enumerate(self.blades):
             member = self.assembly.members[k]
+            errors = np.maximum(member.high, -member.low)[PLANE]
+            known[k, PLANE] = errors if member.is_known else np.inf
+            if not is_compared(own, nu):
+                continue
             solid = {
                 ALONG: along_factor(own, nu),
                 ACROSS: blade_factor(plates.guided_factor, own, nu),
                 TURN: blade_factor(plates.pure_bending_factor, own, nu),
             }
             for spring, factor in solid.items():
-                known[k, spring] = max(float(member.high[spring]), -float(member.low[spring]))
                 off = max(factor.high / factor.value - 1.0, 1.0 - factor.low / factor.value)
                 if off < known[k, spring]:
                     known[k, spring] = off

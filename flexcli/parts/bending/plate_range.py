@@ -23,6 +23,7 @@ __all__ = [
     "buckled",
     "buckling",
     "floats",
+    "is_compared",
     "pivot_shift",
     "plate_alone",
     "plate_factor",
@@ -62,6 +63,12 @@ def blade_factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor
     return Factor(value, larger(1.0, value - error), value + error)
 
 
+def is_compared(blade: Blade, nu: float) -> bool:
+    """Return whether solids like a blade were compared, bent and stretched."""
+    h, l, b = blade
+    return h <= min(thick.THICKEST * l, b) and b <= sheets.WIDEST * l and nu <= thick.LARGEST_NU
+
+
 def along_factor(blade: Blade, nu: float) -> Factor:
     """Return the factor of the stiffness along a blade with its error, between rigid clamps.
 
@@ -69,7 +76,7 @@ def along_factor(blade: Blade, nu: float) -> Factor:
     its thickness is in its error.
     """
     h, l, b = blade
-    if h > thick.THICKEST * l or h > b or b > sheets.WIDEST * l or nu > thick.LARGEST_NU:
+    if not is_compared(blade, nu):
         value = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
         held = nu**2 * h / l
         return Factor(value, value - sheets.SHEET_ERROR, value + sheets.SHEET_ERROR + held)
