@@ -256,6 +256,23 @@ class Scene(NamedTuple):
             beyond="",
         )
 
+    def with_loads(self, share: float) -> "Scene":
+        """Return the same case with its loads times a share, its stroke as it is."""
+
+        def part(wrench: Wrench) -> Wrench:
+            x, y, z, *moments = (share * each for each in wrench)
+            return x, y, z, moments[0], moments[1], moments[2]
+
+        return self._replace(
+            force=share * self.force,
+            forces=tuple((share * force, direction) for force, direction in self.forces),
+            stated=part(self.stated),
+            inertial=tuple(map(part, self.inertial)),
+            accelerations=tuple(
+                (share * x, share * y, share * z) for x, y, z in self.accelerations
+            ),
+        )
+
     def in_plane(self) -> "Scene":
         """Return the same case without what acts, or tilts its body, out of the joint's plane."""
         acts = [float(i not in self.across) for i in range(6)]

@@ -2,6 +2,7 @@
 
 import pytest
 from plates.clamped_sheet import Sheet
+from plates.thick_block import axial_factor
 
 from flexcli.formulas import sheet_factors as sheets
 
@@ -54,3 +55,11 @@ def test_the_compliances_of_bending_and_of_shear_add_up():
 
     stiff = compliance(1e12)
     assert compliance(1.0) - stiff == pytest.approx(2.0 * (compliance(2.0) - stiff), rel=1e-9)
+
+
+@pytest.mark.parametrize(("h", "b", "nu"), [(0.3, 3.0, 0.3), (0.6, 0.6, 0.45), (0.1, 0.5, 0.48)])
+def test_a_block_stretches_as_bricks_of_high_order(h, b, nu):
+    solid = axial_factor(h=h, b=b, nu=nu)
+    k = float(sheets.block_axial_factor(h=h, l=1.0, b=b, poisson_ratio=nu))
+    assert abs(solid - k) <= sheets.HELD_ERROR * (k - 1.0)
+    assert solid - float(sheets.axial_factor(b=b, l=1.0, poisson_ratio=nu)) > 0.01 * h

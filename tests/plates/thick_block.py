@@ -13,8 +13,8 @@ from flexcli.mechanics.solids.lagrange import places_along
 from flexcli.mechanics.solids.octant import Lattice, Octant
 
 ORDER, GROWING = 4, 4.0
-S_SHAPED, ARC = 1, 5
-"""Which of the unit loads bend it across its thickness."""
+ALONG, S_SHAPED, ARC = 0, 1, 5
+"""Which of the unit loads stretch it, and bend it across its thickness."""
 
 
 class Factors(NamedTuple):
@@ -26,9 +26,19 @@ class Factors(NamedTuple):
 
 def factors(*, h, b, nu, first=0.05):
     """Return both, with bricks that begin at a part of the smaller side [-]."""
+    found = _block(h, b, nu, first)
+    I, Phi = b * h**3 / 12.0, 2.4 * (1.0 + nu) * h**2
+    arc, s_shaped = (found.moved(load).compliance for load in (ARC, S_SHAPED))
+    return Factors(1.0 / I / arc, (1.0 + Phi) / 12.0 / I / s_shaped)
+
+
+def axial_factor(*, h, b, nu, first=0.05):
+    """Return the stiffness along the block over E b h/l [-]."""
+    return 1.0 / (b * h) / _block(h, b, nu, first).moved(ALONG).compliance
+
+
+def _block(h, b, nu, first):
+    """Return an octant of the block."""
     least = first * min(h, b)
     x, y, z = (places_along(cuts(size / 2.0, least, GROWING), ORDER) for size in (1.0, h, b))
-    block = Octant(Lattice(*np.meshgrid(x, y, indexing="ij"), z, (ORDER,) * 3), 1.0, nu)
-    arc, s_shape = (block.moved(index).compliance for index in (ARC, S_SHAPED))
-    I, Phi = b * h**3 / 12.0, 2.4 * (1.0 + nu) * h**2
-    return Factors(1.0 / I / arc, (1.0 + Phi) / 12.0 / I / s_shape)
+    return Octant(Lattice(*np.meshgrid(x, y, indexing="ij"), z, (ORDER,) * 3), 1.0, nu)

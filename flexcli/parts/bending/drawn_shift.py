@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
+from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.blade_spring import middle_stiffness
 from flexcli.formulas.plate_factors import bound, effective_width
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
@@ -17,6 +18,7 @@ from flexcli.mechanics.space.layout import SpaceBlade, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.parts.bending.base import UNEVEN
+from flexcli.parts.bending.plate_range import along_factor, blade_factor, is_compared
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 __all__ = ["DrawnPath", "drawn_path"]
@@ -29,6 +31,10 @@ x²/(10l)."""
 
 FITS = 2e-3, 5e-4
 """Errors of the factors of shortening, of an arc and of an S."""
+
+THICKEST = 0.3
+"""Largest h/l of blades of which it is known how plates shorten; of thicker ones all that plates
+change of it counts as an error."""
 
 PLANE = ALONG, ACROSS, TURN = [0, 1, 5]
 """Springs of a blade in its plane: along it, of its S shape and of its arc."""
@@ -160,13 +166,13 @@ def drawn_path(blades: Sequence[Blade], nu: float, layout: Layout, held: Held) -
         joint = _Joint(assemble(from_plane(layout, MOVING, turns=turns)), blades, turns=turns)
     except SolveError:
         return None
-    members = joint.assembly.members
-    if not all(member.is_known and np.isfinite(member.high[PLANE]).all()
-               for member in members):  # fmt: skip
+    joint, known = joint.of_solids(nu)
+    if not np.isfinite(known).all():
         return None
     more = np.array([_shortens(blade, nu) for blade in blades])
     off = np.array([_shortens(blade, nu, thick=True) for blade in blades]) - more
-    off = np.abs(off) + FITS
+    unlike = np.array([[blade.h > THICKEST * blade.l] for blade in blades])
+    off = np.abs(off) + FITS + unlike * np.abs(more)
     none = np.zeros_like(more)
     found = joint.path(more)
     # of alike blades errors are alike
@@ -177,9 +183,8 @@ def drawn_path(blades: Sequence[Blade], nu: float, layout: Layout, held: Held) -
     unsure, curled = np.zeros(2), joint.apart_from(found, none)
     for own in alike.values():
         for spring in PLANE:
-            member = members[own[0]]
-            known = max(float(member.high[spring]), -float(member.low[spring]))
-            unsure += joint.stiffened(own, spring, 1.0 + known).apart_from(found, more)
+            stiffer = 1.0 + known[own[0], spring]
+            unsure += joint.stiffened(own, spring, stiffer).apart_from(found, more)
             if spring != ALONG:
                 widened = joint.factors[own[0], spring]
                 flatter = joint.stiffened(own, spring, max(flat / widened, 1.0))
@@ -240,6 +245,37 @@ class _Joint:
         factors = np.ones(len(self.assembly.stiffness))
         factors[[6 * k + spring for k in which]] = factor
         return _Joint(self.assembly.scaled(factors), self.blades, turns=self.turns)
+
+    def of_solids(self, nu: float) -> tuple["_Joint", Floats]:
+        """Return the joint with its blades' springs in the plane of solids, where these tell more.
+
+        Returns
+        -------
+        joint : _Joint
+            With the springs of which less is unsure.
+        known : array
+            Relative error of each spring (blades, 6).
+
+        """
+        scales, known = np.ones(len(self.assembly.stiffness)), np.zeros((len(self.blades), 6))
+        drawn = self.factors
+        for k, own in enumerate(self.blades):
+            member = self.assembly.members[k]
+            errors = np.maximum(member.high, -member.low)[PLANE]
+            known[k, PLANE] = errors if member.is_known else np.inf
+            if not is_compared(own, nu):
+                continue
+            solid = {
+                ALONG: along_factor(own, nu),
+                ACROSS: blade_factor(plates.guided_factor, own, nu),
+                TURN: blade_factor(plates.pure_bending_factor, own, nu),
+            }
+            for spring, factor in solid.items():
+                off = max(factor.high / factor.value - 1.0, 1.0 - factor.low / factor.value)
+                if off < known[k, spring]:
+                    known[k, spring] = off
+                    scales[6 * k + spring] = factor.value / drawn[k, spring]
+        return _Joint(self.assembly.scaled(scales), self.blades, turns=self.turns), known
 
     def of_beams(self) -> "_Joint":
         """Return the joint with the beams' springs."""

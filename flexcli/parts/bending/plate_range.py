@@ -5,6 +5,7 @@ from typing import Any
 
 from flexcli.formulas import plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
+from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas import thick_plates as thick
 from flexcli.formulas.section import shear_parameter
 from flexcli.numerics.rows import Number, larger, number, smaller
@@ -16,11 +17,13 @@ __all__ = [
     "LOCKED",
     "TINY",
     "UNSURE_ALONG",
+    "along_factor",
     "between",
     "blade_factor",
     "buckled",
     "buckling",
     "floats",
+    "is_compared",
     "pivot_shift",
     "plate_alone",
     "plate_factor",
@@ -58,6 +61,28 @@ def blade_factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor
     value = _of_shapes(formula, arc, s_shape, blade, nu, **more)
     error = number(thick.thick_error(value, h=h, l=l, poisson_ratio=nu))
     return Factor(value, larger(1.0, value - error), value + error)
+
+
+def is_compared(blade: Blade, nu: float) -> bool:
+    """Return whether solids like a blade were compared, bent and stretched."""
+    h, l, b = blade
+    return h <= min(thick.THICKEST * l, b) and b <= sheets.WIDEST * l and nu <= thick.LARGEST_NU
+
+
+def along_factor(blade: Blade, nu: float) -> Factor:
+    """Return the factor of the stiffness along a blade with its error, between rigid clamps.
+
+    Of one unlike the solids that were compared it is that of a sheet, and what its clamps hold of
+    its thickness is in its error.
+    """
+    h, l, b = blade
+    if not is_compared(blade, nu):
+        value = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
+        held = nu**2 * h / l
+        return Factor(value, value - sheets.SHEET_ERROR, value + sheets.SHEET_ERROR + held)
+    value = number(sheets.block_axial_factor(h=h, l=l, b=b, poisson_ratio=nu))
+    error = sheets.HELD_ERROR * (value - 1.0)
+    return Factor(value, value - error, value + error)
 
 
 def _of_shapes(

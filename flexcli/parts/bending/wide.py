@@ -12,13 +12,14 @@ from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
-from flexcli.numerics.rows import cos, larger, number, one_alone, smaller
+from flexcli.numerics.rows import cos, larger, number, one_alone, tan
 from flexcli.parts.bending.base import PULLED, SHORTEST, Factor, WideAcross, WideBlades, hull
 from flexcli.parts.bending.plate_range import (
     HINGED,
     LOCKED,
     TINY,
     UNSURE_ALONG,
+    along_factor,
     between,
     blade_factor,
     buckled,
@@ -90,8 +91,7 @@ def wide_pivot(
         uneven = (2.5 + 9.0 * gamma**2) / leading if leading else inf
     odd = 3.0 * gamma**2 / (1.0 + 3.0 * gamma**2)
     stretching, shear = (_in_series(each, odd) for each in softer)
-    kept = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
-    springs = stretching, stretching / kept, shear
+    springs = stretching, stretching / along_factor(blade, nu).value, shear
     pure, bent = (
         blade_factor(f, blade, nu).value for f in (plates.pure_bending_factor, plates.guided_factor)
     )
@@ -254,13 +254,11 @@ def wide_by_shapes(
         pure, bent = (
             blade_factor(f, blade, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
         )
-        stretched = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
-        kept = Factor(stretched, stretched - sheets.SHEET_ERROR, stretched + sheets.SHEET_ERROR)
         along, shear = number(force[0] * x + force[1] * y) / l, shear_of(blade, nu)
         parts = (
             (even**2 * compliance, pure),
             (odd**2 / 3.0 * compliance * (1.0 + shear), bent),
-            (along**2 * l / (b * h), kept),
+            (along**2 * l / (b * h), along_factor(blade, nu)),
         )
         more += sum(energy * (factor.high - 1.0) for energy, factor in parts)
         less += sum(energy * (1.0 / factor.low - 1.0) for energy, factor in parts)
@@ -340,9 +338,10 @@ def _held_necks(neck: Blade, nu: float) -> dict[str, Factor]:
 def _pivot_across(blade: Blade, nu: float, delta: float, half_angle: float) -> WideAcross:
     """Return what moves the centre of a pair across its bisector: the forces that bend its blades.
 
-    They bend to an S and stretch as plates do.
+    They bend to an S and stretch as plates do: of ``κ/(1 + κ)``, κ what forces across one blade
+    stretch of the other over what they bend of itself, κ changes.
     """
-    h, l, b = blade
+    h, l, _ = blade
     at = {"l": l, "p": delta * l, "theta": 1.0, "half_angle": half_angle}
     along = abs(number(pivot.parasitic_shift(**at)))
     moved = abs(number(thick_blades.pivot_shift_across(h=h, poisson_ratio=-1.0, **at)))
@@ -350,10 +349,13 @@ def _pivot_across(blade: Blade, nu: float, delta: float, half_angle: float) -> W
         thick_blades.pivot_stretch(h=h, l=l, p=delta * l, half_angle=half_angle)
     ) / cos(half_angle)
     bent = blade_factor(plates.guided_factor, blade, nu)
-    axial = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
-    off = larger(bent.high / bent.value - 1.0, 1.0 - bent.low / bent.value)
+    axial = along_factor(blade, nu)
+    off = sum(
+        larger(each.high / each.value - 1.0, 1.0 - each.low / each.value) for each in (bent, axial)
+    )
+    stiffer = bent.value / axial.value
+    kappa = (h / l) ** 2 / (1.0 + shear_of(blade, nu)) / tan(half_angle) ** 2
+    change = stiffer * (1.0 + kappa) / (1.0 + stiffer * kappa) - 1.0
     ratio = moved / along if along else inf if moved else 0.0
     unsure = UNSURE_ALONG + (abs(stretch) * l / along if along else inf)
-    return WideAcross(
-        ratio, unsure, bent.value / axial - 1.0, off + smaller(sheets.SHEET_ERROR, axial - 1.0)
-    )
+    return WideAcross(ratio, unsure, change, off)

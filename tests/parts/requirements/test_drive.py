@@ -81,6 +81,35 @@ def test_a_drive_that_turns_the_joint_over_reaches_no_stroke():
     assert "s_reached" not in result.values
 
 
+NIMBLE = {"youngs_modulus": "100 GPa", "poisson_ratio": 0.45}
+LINE = {"blocking_force": "1e6 N", "free_stroke": "10 m", "drives": "both-ways"}
+WIDE = {"h": "0.1 mm", "l": "20 mm", "b": "20 mm"}
+
+
+@pytest.mark.parametrize(
+    ("geometry", "stroke", "arm", "force", "by_shells", "apart"),
+    [
+        ({"kind": "leaf-spring-stage", **WIDE, "blades": 2, "spacing": "15 mm"},
+         {"translation": "20 um"}, {}, 2.0, 0.0145169, 1.01),
+        ({"kind": "rcc", **WIDE, "p": "5 mm", "half_angle": "45 deg"},
+         {"rotation": "2 mrad"}, {"arm": "10 mm"}, 4.0, 0.0424808, 1.06),
+    ],
+    ids=["stage", "pivot"],
+)  # fmt: skip
+def test_what_pulls_wide_blades_adds_no_more_than_to_beams(
+    geometry, stroke, arm, force, by_shells, apart
+):
+    """Shells of 20 modes, and a string between the ends: 6/5 F x/l."""
+    load = {"load": {"force": f"{force} N", "direction": "0 deg"}}
+    pulled, alone = (drive(geometry, stroke, {**LINE, **arm}, NIMBLE, **of) for of in (load, {}))
+    low, high = pulled.factor_range
+    assert low <= pulled.capacity / by_shells <= high
+    assert high / low < apart
+    if not arm:
+        string = 1.2 * force * 20e-6 / 20e-3
+        assert pulled.demand - alone.demand == pytest.approx(string, rel=2e-2)
+
+
 def test_a_stack_does_not_pull_and_a_stroke_beyond_its_own_fails():
     stack = {**BENDER, "drives": "one-way"}
     back = drive(STAGE, {"translation": "50 um"}, stack)
