@@ -53,9 +53,9 @@ def blade_factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor
     Of one unlike the solids that were compared, it is that of a plate, with what thickness may
     change of it.
     """
-    h, l, b = blade
-    if h > thick.THICKEST * l or h > b or not 0.0 <= nu <= thick.LARGEST_NU:
+    if not _is_bent_as_compared(blade, nu):
         return plate_factor(formula, blade, nu, **more)
+    h, l, b = blade
     own = {"h": h, "l": l, "b": b, "poisson_ratio": nu}
     arc, s_shape = number(thick.thick_arc_factor(**own)), number(thick.thick_s_factor(**own))
     value = _of_shapes(formula, arc, s_shape, blade, nu, **more)
@@ -65,8 +65,12 @@ def blade_factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor
 
 def is_compared(blade: Blade, nu: float) -> bool:
     """Return whether solids like a blade were compared, bent and stretched."""
+    return _is_bent_as_compared(blade, nu) and blade.b <= sheets.WIDEST * blade.l
+
+
+def _is_bent_as_compared(blade: Blade, nu: float) -> bool:
     h, l, b = blade
-    return h <= min(thick.THICKEST * l, b) and b <= sheets.WIDEST * l and nu <= thick.LARGEST_NU
+    return h <= min(thick.THICKEST * l, b) and 0.0 <= nu <= thick.LARGEST_NU
 
 
 def along_factor(blade: Blade, nu: float) -> Factor:
