@@ -4,7 +4,7 @@ The faces of a notch are not parallel, so that a section bends out of plane besi
 the blocks that the notch is cut into give way at its mouth. A beam has neither.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -36,6 +36,9 @@ OF_FIT, BESIDE = 0.045, 1.0
 AT_MOUTH, SHALLOWER, OF_SHORT, NEAR = 33.0, 0.9, 0.4, 0.13
 """Compliance that a mouth loses to a rigid body at most, in 1/(E b H²), how it falls with e/depth
 and rises with (2 depth/l)^0.4 beyond that itself, and over which share of H behind the mouth."""
+
+CLAMPED = 2.0
+"""Distance from a mouth over that, within which lies what it loses."""
 
 OF_BAR = 24.0
 """Compliance of two bars of height H and length L beside the notch, in L/(E b H³)."""
@@ -88,13 +91,16 @@ body, massive ones, or nothing where they are not stated."""
 class Softening(NamedTuple):
     """Compliance in rotation beyond that of a hinge's beam, times E b, and its error [1/m²].
 
-    The shift of the hinge is ``shift_least`` to ``shift_most`` times that of its beam [-].
+    The shift of the hinge is ``shift_least`` to ``shift_most`` times that of its beam [-]. Of a
+    moment that falls towards the ends, where it is none, the compliance of the faces is at least
+    ``bowed`` more than the beam's, as a share of it [-].
     """
 
     more: Number
     error: Number
     shift_least: Number
     shift_most: Number
+    bowed: Number
 
 
 def softening(
@@ -173,7 +179,28 @@ def softening(
         least, most = beside(0.0 * H)[0], larger(most, beside(H)[1])
     elif not isinstance(blocks, str):
         least, most = beside(bar)
-    return Softening(softer + (low + high) / 2.0, fit + (high - low) / 2.0, least, most + spreads)
+    value, error = softer + (low + high) / 2.0, fit + (high - low) / 2.0
+    # a clamped mouth loses what bends near it, where a bow has little moment
+    clamped = larger(-low, 0.0) * smaller(1.0, (CLAMPED * NEAR * H / end) ** 2)
+    bowed = _bowed(places, e, straight, end, fit + clamped / H**2)
+    return Softening(value, error, least, most + spreads, bowed)
+
+
+def _bowed(
+    places: Sequence[tuple[Number, ...]], e: Number, straight: Number, end: Number, less: Number
+) -> Number:
+    """Return the share of its compliance that a hinge gains at least, bowed between pinned ends.
+
+    ``less`` is what it may gain less, times E b [1/m²]. The bow of a column is concave: over the
+    distance to its end it grows towards there. So what grows towards there as well is no less in
+    the mean by its square than by that of a triangle.
+    """
+    inner = 1.0 - straight / 2.0 / end
+    beam, more = 12.0 / e**3 * end * (1.0 - inner**3) / 3.0, 0.0 * e
+    for x, dx, h, slope in places:
+        weighed = 12.0 / h**3 * dx * (1.0 - (straight / 2.0 + x) / end) ** 2
+        beam, more = beam + weighed, more + weighed * bends_more(slope)
+    return larger(more - less / 2.0, 0.0) / beam  # of a half
 
 
 def _bar_shift(q: Number, mouth: Number, L: Number) -> tuple[Number, Number]:

@@ -9,13 +9,14 @@ from flexcli.mechanics.space.layout import MissedSeat, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.states import SpaceState, Stresses, misfitted
 from flexcli.mechanics.space.stresses import equivalent
+from flexcli.parts.geometries import Geometry
 from flexcli.parts.requirements.ask import MisfitStress, Told
 from flexcli.parts.space_joint import SpaceJoint
 from flexcli.parts.space_states import largest_stress, linear_error, spring_error
 from flexcli.parts.spring_limits import changed_by_springs
 from flexcli.results import EXACT, ErrorRange
 
-__all__ = ["misfit_stresses", "worst_misfit"]
+__all__ = ["guided_about", "misfit_stresses", "worst_misfit"]
 
 UNSTRESSED = 1e-10
 """Stress over that of blades whose bodies were held, below which a missed seat leaves rounding:
@@ -23,6 +24,11 @@ bodies that nothing over-constrains follow it freely."""
 
 STRAINED = 1e-12
 """Share of the energy of a state below which a spring has no part in it."""
+
+
+def guided_about(geometry: Geometry) -> tuple[Vector, ...]:
+    """Return the axes of the layout about which a guide keeps the body of a joint from turning."""
+    return ((0.0, 0.0, 1.0),) if geometry.is_guided else ()
 
 
 def misfit_stresses(

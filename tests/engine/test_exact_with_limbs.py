@@ -2,11 +2,12 @@
 
 import math
 
+import numpy as np
 import pytest
 
 import flexcli
 from flexcli.mechanics.solids.neck import Neck
-from flexcli.mechanics.solids.unit_loads import NeckUnderLoads
+from flexcli.mechanics.solids.unit_loads import FINE, NeckUnderLoads, equivalent
 
 SPEC = """
 flexure: 1
@@ -25,6 +26,7 @@ STROKES = {
     STAGE: "stroke: {translation: 5 um, cycles: 1e6}",
     PIVOT: "stroke: {rotation: 2 mrad, cycles: 1e6}",
 }
+SEAT_OFF = "  misalignment_stress: {{of: limb 1 inner hinge, factor: 1, {}}}"
 ACROSS = "wrench: {z: 20 N, theta_x: 0.02 N*m}"
 
 
@@ -130,3 +132,29 @@ def test_limbs_that_no_solid_was_compared_with_are_left_to_beams(tmp_path, sizes
     check = checked(tmp_path, kind, "  stiffness: {min: 1 N/m}", case=STROKES[STAGE])
     assert check.verdict.value == "undecided"
     assert "solids of limbs" in check.quantity or "no solids" in check.quantity
+
+
+def test_a_seat_off_across_a_stage_stresses_its_limbs_as_their_springs_share_it(tmp_path):
+    # both limbs are off by half of it, less what the body turns about their direction
+    d, s, E = 1e-6, 6e-3, 200e9
+    solid = NeckUnderLoads(Neck(0.5e-3, 1e-3, 2e-3, 3e-3, 0.0, 3e-3, 1.5e-3), E, 0.3)
+    swing, twist = (1.0 / solid.compliance(index)[0] for index in (2, 3))
+    phi = swing * s * d / 4.0 / (swing * s**2 / 4.0 + twist)
+    wrench = np.array(
+        [[0.0, 0.0, swing * (d / 2.0 - phi * s / 2.0), sign, 0.0, 0.0] for sign in (1, -1)]
+    )
+    wrench[:, 3] *= twist * phi
+    expected = np.abs(equivalent(solid.stresses(wrench, FINE)[0])).max()
+    found = checked(tmp_path, STAGE, SEAT_OFF.format("translation: {along: z, by: 1 um}"))
+    assert found.demand == pytest.approx(expected, rel=1e-3)
+    assert width(found) < 0.1
+
+
+@pytest.mark.parametrize(
+    "way", ["translation: {along: y, by: 1 um}", "rotation: {about: z, by: 1 mrad}"]
+)
+def test_a_seat_off_is_surer_by_solids_and_within_what_beams_tell(tmp_path, way):
+    off = SEAT_OFF.format(way)
+    beams, solids = (checked(tmp_path, PIVOT, off, model=each) for each in ("exact", "solid"))
+    assert width(solids) < 0.5 * width(beams)
+    assert beams.factor_range[0] <= solids.factor <= beams.factor_range[1]

@@ -216,6 +216,22 @@ def test_a_stage_and_a_crossed_pivot_shift_as_their_blades_shorten():
     assert found.shift[0] <= -0.5 * (arc - 1.0) <= found.shift[1]
 
 
+@pytest.mark.parametrize("l", [10.0, 40.0])
+def test_a_blade_between_two_others_is_at_no_side_of_its_body(l):
+    """The outer two of four may be: so the whole is, and no softer than with both there."""
+    inner, flush = (
+        0.5 / compliance(l / 2.0, **body, nu=NU)[1, 1] for body in (BODIES["large"], FLUSH)
+    )
+    sizes = {"h": 1.0, "l": l, "b": 1.0 / PLANE}
+    spec = {**geometry("leaf-spring-stage", "monolithic-flush", **sizes), "spacing": "3 mm"}
+    softest, stiffest = ((2.0 * inner + 2.0 * outer) * l**3 / 4.0 for outer in (flush, inner))
+    four, pair = (giving({**spec, "blades": n}, 0.0).stiffness for n in (4, 2))
+    assert four.low <= softest < stiffest <= four.high
+    assert four.high - four.low < 0.8 * (pair.high - pair.low)
+    near = giving({**spec, "blades": 4, "spacing": "2.9 mm"}, 0.0).stiffness
+    assert near == pair
+
+
 def test_rigid_clamps_change_nothing_and_giving_ones_soften_in_every_model():
     spec = geometry("leaf-spring-stage", "rigid", h=0.4, l=20.0, b=200.0, spacing=30.0)
     plain = dict(spec)

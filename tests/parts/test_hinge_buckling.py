@@ -4,14 +4,19 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 import yaml
 from pydantic import TypeAdapter
+from scipy.linalg import solveh_banded
 
 import flexcli
 from flexcli.engine.joint_models.buckling import HINGE_STRAINED
+from flexcli.formulas.thick_notch import bends_more, softening
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.linear_buckling import linear_critical
+from flexcli.parts.bending.thick import thick_fillets, thick_notch
+from flexcli.parts.effects.hinges import _of_bowed
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import AnyGeometry
 from flexcli.parts.geometries.base import MOVING
@@ -86,3 +91,48 @@ def test_what_yields_first_is_off_by_little_of_what_the_elastic_force_is():
     assert (low, high) == pytest.approx(
         ends, rel=2e-3
     )  # what it is strained by is less as it yields
+
+
+def column(e, depth, l, straight, *, is_thick, places=4001):
+    """Return its compliance E b θ/M, and the force that buckles it between pinned ends, over E b.
+
+    By finite differences: ``w'' + P w/EI = 0``, as many places as leave 1e-5 of both.
+    """
+    end = (straight + l) / 2.0
+    x = np.linspace(-end, end, places)[1:-1]
+    u = np.clip((np.abs(x) - straight / 2.0) / (l / 2.0), 0.0, 1.0 - 1e-12)
+    h = e + 2.0 * depth * (1.0 - np.sqrt(1.0 - u**2))
+    slope = 2.0 * depth / l * u / np.sqrt(1.0 - u**2)
+    bends = 12.0 / h**3 * (1.0 + (bends_more(slope) if is_thick else 0.0))
+    dx = x[1] - x[0]
+    banded = np.array([np.full(x.size, -1.0), np.full(x.size, 2.0)]) / dx**2
+    w = np.cos(np.pi * x / (2.0 * end))
+    for _ in range(60):
+        w = solveh_banded(banded, bends * w)
+        w /= w.max()
+    return bends.sum() * dx, np.sum(np.diff(w, prepend=0.0, append=0.0) ** 2) / dx / np.sum(
+        bends * w**2 * dx
+    )
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_hinge_with_pinned_ends_loses_what_a_column_of_softer_sections_does(seed):
+    random = np.random.default_rng(seed)
+    depth, straight = 1.0, float(random.uniform(0.0, 8.0)) if seed % 2 else 0.0
+    e = 10.0 ** random.uniform(-1.5, 0.0)
+    l = 2.0 if seed % 2 else float(random.uniform(1.5, 6.0))
+    beam, plain = column(e, depth, l, straight, is_thick=False)
+    _, soft = column(e, depth, l, straight, is_thick=True)
+    at = {"turn": 1.0 / beam, "blocks": "massive"}
+    thick = (
+        thick_fillets(h=e, r=depth, l=straight + l, **at)
+        if seed % 2
+        else thick_notch(e=e, depth=depth, l=l, **at)
+    )
+    found = softening(e=e, depth=depth, l=l, straight=straight, blocks="massive")
+    assert 0.0 <= found.bowed < plain / soft - 1.0 < (found.more + found.error) / beam
+    change = _of_bowed(thick.factor, thick.bowed)
+    middle = 1.0 + change.value
+    assert middle * (1.0 - change.error) <= soft / plain <= middle * (1.0 + change.error)
+    # surer than a range about all that it loses in stiffness, either way
+    assert change.error < 1.0 - thick.factor.low

@@ -5,33 +5,43 @@ three planes. What a case does to a joint of them is what exact beams say, in th
 stroke; what the stroke itself does is that of the solids, which share what acts across it.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.exact_with_solids import (
+    ALIKE,
     ALONG,
     MOMENT,
     SWING,
     ExactWithSolids,
+    SolidUnderLoads,
     Wrenches,
+    beside_throat,
     compliance_ends,
     either_way,
     ends_and_middle,
+    meshed,
+    of_larger_bodies,
 )
 from flexcli.engine.joint_models.joint_states import at_rest, blades_of, solved
 from flexcli.formulas.blade_spring import BladeSprings
 from flexcli.mechanics.solids.limb import about
+from flexcli.mechanics.solids.unit_loads import COARSE, FINE, equivalent
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.mechanics.space.springs import STRIP_CONSTRAINTS, MemberSprings
-from flexcli.mechanics.space.states import Acting, action
+from flexcli.mechanics.space.states import Acting, action, misfitted
 from flexcli.numerics.rows import number, one_alone
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, LimbSpan, NeckSizes
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import Ask, MisfitStress, Told
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_misfits import guided_about
+from flexcli.parts.spring_limits import changed_by_springs
 from flexcli.parts.stress_across import acting_across
+from flexcli.results import ErrorRange
 
 __all__ = ["ExactWithLimbs"]
 
@@ -65,6 +75,7 @@ class ExactWithLimbs(ExactWithSolids):
     """Exact beams, between whose bodies each limb is a solid."""
 
     at_rest = "solid of each limb, its notches and the blocks beside them, at rest"
+    at_stroke = "solids of limbs, what size changes of them by exact beams in space"
 
     def _limb(self, ask: Ask) -> tuple[NeckSizes, LimbSpan]:
         """Return the sizes of a limb, where there are solids of such ones."""
@@ -181,6 +192,72 @@ class ExactWithLimbs(ExactWithSolids):
             unsure = unsure[0] + off, unsure[1] + shares[1] * off
         return Wrenches(wrenches.reshape(-1, 6), unsure, across.reshape(-1, 6), shares)
 
+    def misfit_stresses(
+        self, ask: Ask, small: Sequence[MisfitStress]
+    ) -> Iterator[tuple[Told, str]]:
+        """Yield the largest stress of each missed seat by solids, what its size changes by beams.
+
+        Restrained warping, of which beams are unsure, is that of the solids.
+        """
+        from flexcli.engine.joint_models.space_exact import SpaceExactModel
+        from flexcli.engine.joint_models.space_misfit import StressModel, misfit_stresses
+
+        joint, beams = self._joint(ask), SpaceExactModel()
+        each = [self._misfit_stress(ask, joint, one) for one in small]
+        return misfit_stresses(
+            ask, each, StressModel(beams.blades, beams.largest_stress, lambda *_: 0.0)
+        )
+
+    def _misfit_stress(self, ask: Ask, joint: SpaceJoint, one: MisfitStress) -> MisfitStress:
+        """Return the stress of a missed seat at the surface of limbs, by small motion.
+
+        It is in the middle of what it is with the shortest blocks that they may have and with the
+        longest. A seat is off as by a cut through its limb, which nothing else acts on: whatever
+        bends there, it bears what the whole of it does at its middle.
+        """
+        if one.stress == 0.0:
+            return one
+        kept = guided_about(ask.geometry)
+
+        def forces(assembly: SpaceAssembly) -> Floats:
+            return np.asarray(misfitted(assembly, one.missed, kept=kept).moved.forces[:, 0])
+
+        wrenches = self._about_middles(ask, joint, forces(joint.assembly))
+        whole = np.abs(wrenches).max(axis=0)
+        higher, none = of_larger_bodies(ask) * whole, np.zeros(6)
+        borne = Wrenches(wrenches, (none, none), np.zeros_like(wrenches), (0.0, 0.0))
+        springs = np.flatnonzero(whole > BARELY * whole.max()).tolist()
+        found, off = list[float](), 0.0
+        for solid in self._solids(ask).turning:
+            fine, coarse = (_largest(solid, wrenches, orders) for orders in (FINE, COARSE))
+            beside_throat(solid, wrenches, fine)
+            by_mesh = max(abs(fine - coarse), meshed(solid, whole))
+            unsure = (by_mesh + self._unsure(solid, borne, higher, 0.0)) / fine
+            size = partial(self._stress_by, ask, joint, solid, forces)
+            change = changed_by_springs(joint, springs, size)
+            if change is None:
+                raise NotAvailable("has limbs of more than one shape")
+            off = max(off, unsure + change.largest)
+            found.append(fine)
+        middle = (min(found) + max(found)) / 2.0
+        off = (1.0 + off + ALIKE) * max(found) / middle - 1.0
+        name = joint.layout.blades[one.missed.blade].name
+        error = ErrorRange(-off, off)
+        return one._replace(
+            stress=middle, where=f"surface of a limb, {name} being off", springs=error, error=error
+        )
+
+    def _stress_by(
+        self,
+        ask: Ask,
+        joint: SpaceJoint,
+        solid: SolidUnderLoads,
+        forces: Callable[[SpaceAssembly], Floats],
+        assembly: SpaceAssembly,
+    ) -> float:
+        """Return the largest stress of a limb by the forces in an assembly's springs [Pa]."""
+        return _largest(solid, self._about_middles(ask, joint, forces(assembly)), COARSE)
+
     def _in_plane(self, ask: Ask, joint: SpaceJoint) -> tuple[Floats, tuple[Floats, Floats]]:
         """Return what the stroke and the loads in the plane do, (hinges, states, 6).
 
@@ -277,6 +354,15 @@ class ExactWithLimbs(ExactWithSolids):
                 each.append(np.abs(self._about_middles(ask, joint, other) - here))
             found += np.maximum(*each)
         return found
+
+
+def _largest(solid: SolidUnderLoads, wrenches: Floats, orders: tuple[int, int, int]) -> float:
+    """Return the largest stress at the surface of a solid that bears any of some wrenches [Pa]."""
+    stress, is_last = solid.stresses(wrenches, orders)
+    each = np.abs(equivalent(stress)).max(axis=0)
+    if is_last[int(np.argmax(each))]:
+        raise NotAvailable("has its largest stress where a rigid body begins")
+    return float(each.max())
 
 
 def _sides(hinges: int) -> Floats:

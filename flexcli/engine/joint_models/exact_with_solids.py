@@ -46,12 +46,17 @@ from flexcli.parts.worst_places import worst_places
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = [
+    "ALIKE",
     "MOMENT",
     "ExactWithSolids",
+    "SolidUnderLoads",
     "Wrenches",
+    "beside_throat",
     "compliance_ends",
     "either_way",
     "ends_and_middle",
+    "meshed",
+    "of_larger_bodies",
 ]
 
 Floats = NDArray[np.float64]
@@ -228,13 +233,12 @@ class ExactWithSolids(ExactModel):
         if ask.scene.temperature is not None or ask.scene.on_bodies:
             raise NotAvailable("has no solid at a temperature, or among several joints")
         beam, off, found = super()._settled_stiffness(ask)[0], 0.0, list[_Worst]()
-        borne, higher = self._wrenches(ask, beam), _of_larger_bodies(ask)
+        borne, higher = self._wrenches(ask, beam), of_larger_bodies(ask)
         for solid in self._solids(ask)[1]:
             fine, coarse = (self._worst(ask, solid, borne, orders) for orders in (FINE, COARSE))
             if fine.largest == 0.0:
                 return fine.places, 0.0
-            if solid.neck.block == 0.0 and solid.at_mouth(borne.wrenches) > CLEAR * fine.largest:
-                raise NotAvailable("may have its largest stress at its mouth, which is clamped")
+            beside_throat(solid, borne.wrenches, fine.largest)
             whole, swing = np.abs(borne.wrenches).max(axis=0), np.zeros(6)
             if ask.scene.moves:
                 swing = np.abs(borne.wrenches[::2] - borne.wrenches[1::2]).max(axis=0) / 2.0
@@ -242,9 +246,9 @@ class ExactWithSolids(ExactModel):
             unsure = zip(borne.unsure, borne.shares, strict=True)
             for (one, other, wrench), (own, share) in zip(each, unsure, strict=True):
                 if one > FEWEST * fine.largest:
-                    meshed = max(abs(one - other), _meshed(solid, wrench))
+                    by_mesh = max(abs(one - other), meshed(solid, wrench))
                     more = self._unsure(solid, borne, own + higher * wrench, share)
-                    off = max(off, (more + meshed) / one)
+                    off = max(off, (more + by_mesh) / one)
             found.append(fine)
         first, ratios = found[0], [1.0]
         for worst in found[1:]:
@@ -422,7 +426,7 @@ class ExactWithSolids(ExactModel):
         return np.asarray(1.0 / joint.assembly.members[0].springs.stiffness)
 
 
-def _of_larger_bodies(ask: Ask) -> Floats:
+def of_larger_bodies(ask: Ask) -> Floats:
     """Return what bodies higher than the mouth may add to the peak of each of six loads (6,) [-].
 
     Blocks of a length that is stated are as high as the mouth, and the solid has them.
@@ -475,7 +479,20 @@ def either_way(groups: list[Floats], shape: tuple[int, ...] = (6,)) -> Floats:
     return np.asarray(np.tensordot(signs, np.reshape(groups, (len(groups), *shape)), axes=1))
 
 
-def _meshed(solid: SolidUnderLoads, wrench: Floats) -> float:
+def beside_throat(solid: SolidUnderLoads, wrenches: Floats, largest: float) -> None:
+    """Refuse a stress beside a throat [Pa] that may be less than that of a mouth that is clamped.
+
+    Raises
+    ------
+    NotAvailable
+        Where a beam as high as the mouth has nearly as much there.
+
+    """
+    if solid.neck.block == 0.0 and solid.at_mouth(wrenches) > CLEAR * largest:
+        raise NotAvailable("may have its largest stress at its mouth, which is clamped")
+
+
+def meshed(solid: SolidUnderLoads, wrench: Floats) -> float:
     """Return by how much both meshes of a solid differ in the stresses of a wrench's parts [Pa]."""
     return float(sum(wrench[k] * solid.apart(int(k)) for k in np.flatnonzero(wrench)))
 

@@ -243,7 +243,9 @@ class Thick(NamedTuple):
     travel, ``loaded`` that of what loads bend, where they are not that of the stiffness. ``first``
     is the motion of first order beside the shift, over the second order of a unit travel
     [rad or m], and the range of its change. ``swaying`` are the ends of a case by which limbs sway
-    as they buckle, by the stiffness of their hinges alone.
+    as they buckle, by the stiffness of their hinges alone, ``bowing`` those by which a hinge bears
+    the more moment as it buckles the nearer to its middle it is, to no more than ``bowed`` of what
+    buckles its beam.
     """
 
     ratio: float
@@ -254,6 +256,8 @@ class Thick(NamedTuple):
     loaded: Factor | None = None
     first: tuple[float, float, float] = (0.0, 1.0, 1.0)
     swaying: tuple[str, ...] = ()
+    bowing: tuple[str, ...] = ()
+    bowed: float = 1.0
 
 
 class Bending(ABC):

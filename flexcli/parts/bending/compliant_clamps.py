@@ -43,13 +43,17 @@ it."""
 OF_NEXT = 0.2
 """Part of the change of a shift that orders beyond the first may add."""
 
+AWAY = 3.0
+"""Distance of two blades in line over h, from which on their body reaches h beyond the face of
+either on that side, as halfway to the other it does."""
+
 ACROSS = 1.5
 """Largest ratio of a root's shift across the width per shear force to its stretch per axial
 force."""
 
 
 class Roots(NamedTuple):
-    """Ends of the blades of a joint: ν; rigid clamps, in a body, or flush with its side.
+    """Ends of the blades of a joint: ν; rigid clamps, in a body, or maybe flush with its side.
 
     ``fillet`` is the radius of their fillets, 0 for sharp corners; ``joined`` are bodies formed by
     blades that meet, whose crossing has its own formula.
@@ -108,7 +112,7 @@ def compliant_clamps(
 
     """
     one_alone()
-    strips = [_strip(blade, roots) for blade in layout.blades]
+    strips = [_strip(blade, _roots_of(blade, layout, roots)) for blade in layout.blades]
     softer = [_softer(strip, BENDS) for strip in strips]
     whole = [_softer(strip, slice(None)) for strip in strips]
     # what one blade takes more of than another under loads, or where bodies between them follow
@@ -140,7 +144,30 @@ def root_springs(layout: Layout, roots: Roots) -> Floats:
     bending its width and its thickness: shape (blades, 5) [1/m, 1/m³ of the last two]. Every strip
     of its width stretches by itself.
     """
-    return np.array([_of_root(blade, roots) for blade in layout.blades])
+    return np.array([_of_root(x, _roots_of(x, layout, roots)) for x in layout.blades])
+
+
+def _roots_of(blade: Blade, layout: Layout, roots: Roots) -> Roots:
+    """Return how a blade ends: one between two others in line is at no side of its bodies."""
+    if not roots.flush:
+        return roots
+    start, end = np.array(blade.start), np.array(blade.end)
+    l = float(np.hypot(*(end - start)))
+    along = (end - start) / l
+    normal = np.array([-along[1], along[0]])
+    h = max(float(np.max(p.thickness(PIECE))) for p in blade.profile.pieces(l))
+    sides = set[float]()
+    for other in layout.blades:
+        if {other.first, other.second} != {blade.first, blade.second}:
+            continue
+        ends = [np.array(other.start), np.array(other.end)]
+        if other.first != blade.first:
+            ends.reverse()
+        apart = np.array([ends[0] - start, ends[1] - end])
+        if np.all(np.abs(apart @ along) <= ROUNDING * l):
+            away = apart @ normal
+            sides |= {s for s in (-1.0, 1.0) if np.all(s * away >= AWAY * h)}
+    return roots._replace(flush=len(sides) < 2)
 
 
 def _of_root(blade: Blade, roots: Roots) -> Floats:

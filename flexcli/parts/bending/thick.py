@@ -9,6 +9,9 @@ from flexcli.parts.bending.base import Factor, Thick
 
 __all__ = ["thick_fillets", "thick_linked", "thick_notch"]
 
+BOWING = ("pinned-pinned",)
+"""Ends of a hinge that bear no moment, between which it buckles to one side."""
+
 
 def thick_notch(
     *,
@@ -59,4 +62,6 @@ def _thick(ratio: float, found: Softening, turn: float) -> Thick:
     if error >= 1.0 + more:
         return Thick(ratio, None)
     ends = 1.0 / (1.0 + more + error), 1.0 / (1.0 + more - error)
-    return Thick(ratio, Factor(1.0 / (1.0 + more), *ends), (found.shift_least, found.shift_most))
+    factor = Factor(1.0 / (1.0 + more), *ends)
+    shift = found.shift_least, found.shift_most
+    return Thick(ratio, factor, shift, bowing=BOWING, bowed=1.0 / (1.0 + found.bowed))

@@ -60,7 +60,9 @@ class ThickNotch(ModelEffect):
         value, most, error = _of_factor(thick.factor)
         found = {"stiffness": Change(value, most, error, other=BESIDE_WIDENING * most)}
         under_loads = _of_factor(thick.loaded or thick.factor)
-        if ends:  # limbs that sway buckle by the stiffness of their hinges, others more or less so
+        if ends and ends.issubset(thick.bowing):
+            found["buckling"] = _of_bowed(thick.factor, thick.bowed)
+        elif ends:  # limbs that sway buckle by their hinges' stiffness, others more or less so
             value, most, error = under_loads
             unlike = 0.0 if ends.issubset(thick.swaying) else -value
             found["buckling"] = Change(value, most, error + unlike)
@@ -77,6 +79,19 @@ def _of_factor(factor: Factor) -> tuple[float, float, float]:
     """Return the change that a factor makes, its largest, and its error."""
     value, low, high, _ = factor
     return value - 1.0, max(1.0 - low, high - 1.0), max(high - value, value - low) / value
+
+
+def _of_bowed(factor: Factor, bowed: float) -> Change:
+    """Return the change of what buckles a hinge whose ends bear no moment.
+
+    It bears the more moment the nearer to its middle a section is, and what makes it softer grows
+    towards its ends: it loses less than where it bears the same moment all along, its stiffness
+    (Chebyshev's inequality of Timoshenko's quotient ``∫w²/EI / ∫w'²``), and more than its faces
+    lose by a moment that falls evenly.
+    """
+    low, high = factor.low, larger(factor.high, bowed)
+    value, most, error = _of_factor(Factor((low + high) / 2.0, low, high))
+    return Change(value, most, error)
 
 
 def _of_shift(thick: Thick, travel: float) -> Change:

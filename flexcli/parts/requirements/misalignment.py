@@ -16,7 +16,7 @@ from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, RequirementError, Told
 from flexcli.parts.requirements.base import Limit, Requirement
 from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_misfits import misfit_stresses, worst_misfit
+from flexcli.parts.space_misfits import guided_about, misfit_stresses, worst_misfit
 from flexcli.results import QuantityKind
 
 __all__ = ["MisalignmentStress"]
@@ -52,6 +52,7 @@ class MisalignmentStress(Requirement):
     label: ClassVar[str] = "misalignment stress"
     per_case: ClassVar[bool] = False
     closed_form: ClassVar[bool] = False
+    by_solids: ClassVar[bool] = True
     by_shells: ClassVar[QuantityKind | None] = QuantityKind.SUPPORT
 
     of: str
@@ -97,8 +98,7 @@ class MisalignmentStress(Requirement):
         ]
         if not meant:
             raise RequirementError(f"there is no blade '{self.of}'", f"one of {', '.join(names)}")
-        # what guides a body keeps it from turning in the plane
-        kept = ((0.0, 0.0, 1.0),) if ask.geometry.is_guided else ()
+        kept = guided_about(ask.geometry)
         how = "linear blades between rigid clamps in space"
         try:
             each = tuple(misfit_stresses(joint, meant, self._motion, kept=kept))
