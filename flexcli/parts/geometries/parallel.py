@@ -21,9 +21,10 @@ ROUNDING = 1e-9
 """Sine of an angle that counts as zero."""
 
 PULLED_EVENLY = 5e-3
-"""Largest error of a section's mean of a force along wide blades that are alike: CalculiX's solids of
-necked and leaf-spring stages (two and three blades, spacing from 3 h, h/l 0.03 to 0.2, b/l 0.5 to
-2.8, ν 0.3 and 0.45) had 0.000 to 0.002 more where they know it to 0.004, 0.006 ± 0.007 at most."""
+"""Largest error of a section's mean of a force along wide blades that are alike: CalculiX's solids
+of necked and leaf-spring stages (two and three blades, spacing from 3 h, h/l 0.03 to 0.2, b/l 0.5
+to 2.8, ν 0.3 and 0.45) had 0.000 to 0.002 more where they know it to 0.004, 0.006 ± 0.007 at
+most."""
 
 
 class SagsAlongStroke(Geometry):
