@@ -159,7 +159,7 @@ def under_force(
     Notes
     -----
     Small end motions along and across the line of the blade; from 0 to infinity below n = −30, near
-    −4π² where a beam whose ends are clamped buckles.
+    −4π² where a beam whose ends are clamped buckles, but for ν = 0, where both are one.
 
     Examples
     --------
@@ -195,7 +195,8 @@ def under_force(
         if grows:
             each.append((even * k_arc, odd * k_s))
     plate = [np.maximum(np.abs(arc + s), np.abs(arc - s)) for arc, s in each]
-    bent, buckles = beam > 0.0, pull <= _CLAMPED
+    # without Poisson's ratio plates are beams, whatever they bear
+    bent, buckles = beam > 0.0, (pull <= _CLAMPED) & (np.asarray(poisson_ratio) > 0.0)
     low, high = (
         np.where(bent, extreme.reduce(plate) / np.where(bent, beam, 1.0), 1.0)
         for extreme in (np.minimum, np.maximum)

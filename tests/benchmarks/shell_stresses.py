@@ -48,6 +48,10 @@ def drawn(seed):
     if force:
         direction = f"{rng.choice([0.0, 180.0])} deg"
         case |= {"load": {"force": f"{force} N", "direction": direction}, "ends": "clamped-guided"}
+    elif rng.choice([False, True]):  # along the stroke, of the size of what that bears
+        share, spring = travel * rng.uniform(0.1, 1.0), E * b * h**3 / L
+        along = {"theta_z": f"{share * spring} N*m"} if turns else {"x": f"{share * spring / L} N"}
+        case["wrench"] = along
     return {
         "flexure": 1,
         "material": {

@@ -105,3 +105,10 @@ def test_beyond_the_force_that_buckles_a_clamped_blade_nothing_is_known():
     blade = {"b": 0.3, "l": 1.0, "poisson_ratio": 0.3}
     found = forced.under_force(first=-1.0, last=1.0, mean=0.0, n=-31.0, **blade)
     assert tuple(map(float, found)) == (0.0, np.inf)
+
+
+@pytest.mark.parametrize("n", [-20.0, -31.0, -50.0])
+def test_without_poissons_ratio_a_plate_is_a_beam_under_any_force(n):
+    blade = {"b": 0.3, "l": 1.0, "poisson_ratio": 0.0}
+    found = forced.under_force(first=-1.0, last=1.0, mean=0.0, n=n, **blade)
+    assert tuple(map(float, found)) == pytest.approx((1.0, 1.0))

@@ -53,6 +53,21 @@ def test_a_moment_beside_a_stroke_is_in_the_range_of_what_both_bend(stroke):
     assert max(low for low, _ in ranges) <= min(high for _, high in ranges)
 
 
+def test_a_small_moment_beside_a_stroke_leaves_a_small_part_of_its_range():
+    """Strokes are corrected by their travel, moments by what they move: closed forms shear 8 %."""
+    width = []
+    for moment in (1e-3, 1e-2, 0.1, 1.0, 10.0):
+        case = {"work": {"wrench": {"theta_z": f"{moment} N*m"},
+                         "stroke": {"rotation": ["0 deg", "0.2 deg"]}}}  # fmt: skip
+        text = yaml.safe_dump({**SPEC, "cases": case})
+        found = {m: flexcli.check(text, model=m).checks[0] for m in ("closed-form", "exact")}
+        (low, high), exact = found["closed-form"].factor_range, found["exact"].factor
+        assert low <= exact <= high
+        width.append(high / low - 1.0)
+    assert width == sorted(width)
+    assert width[0] < 0.2 * width[-1]
+
+
 def test_a_moment_on_a_drawn_wide_blade_is_borne_by_its_section():
     blade = {"between": ["ground", "body"], "from": ["0 mm", "0 mm"], "to": ["0 mm", "20 mm"]}
     layout = {

@@ -32,8 +32,11 @@ if TYPE_CHECKING:
 
 __all__ = ["Corrected"]
 
-LEAST_STRESS = 1e-300
-"""Stress below which there is none [Pa]."""
+LEAST_STRESS = LEAST_STIFFNESS = 1e-300
+"""Stress and stiffness below which there is none [Pa, N/m or N·m/rad]."""
+
+PUSHED = 2.0
+"""Times the share that a load along the stroke has in a stress by which it may be off."""
 
 SHORTENED = 0.35
 """By how much more a wide blade shortens than its beam, of what a plate is stiffer at most: an arc
@@ -421,14 +424,16 @@ class Corrected(JointModel):
         if scene.is_loaded:
             found += self._of_loads(ask) + self._of_pulled(ask)
         if scene.push:
-            found += self._of_pushed_travel(ask)
             factor, wide = self._of_push(ask)
-            found += ErrorRange(-wide, wide)
+            pushed = self._of_pushed_travel(ask) + ErrorRange(-wide, wide)
             if scene.moves:
                 of_mean = self._factor(ask, QuantityKind.STRESS) if scene.mean_travel else 1.0
-                found += _as_much(factor / of_mean)
+                share = self._pushed_share(ask)
+                low, high = (share * each for each in pushed + _as_much(factor / of_mean))
+                pushed = ErrorRange(low, high)
             elif scene.beyond or scene.blade_force:  # other loads bend it besides
-                found += _as_much(1.0 / factor)
+                pushed += _as_much(1.0 / factor)
+            found += pushed
         if not scene.is_accelerated:
             return found
         if ask.geometry.has_limbs(ask.material.elastic, ask.sizes):
@@ -469,13 +474,28 @@ class Corrected(JointModel):
                 more *= 1.0 + larger(change.value or 0.0, 0.0)
         if more == 1.0:
             return ErrorRange(0.0, 0.0)
+        return ErrorRange((1.0 / more - 1.0) * self._share_beside(ask), 0.0)
+
+    def _share_beside(self, ask: Ask) -> Number:
+        """Return the largest share of a stress that is a mean which the stroke does not make."""
         scene, shares = ask.scene, [0.0]
         own = scene.mean_travel / scene.travel if scene.travel else 0.0
         for stress in self.inner.stresses(ask)[1]:
             size, mean = number(abs(stress.amplitude)), number(abs(stress.mean))
             beside = abs(mean - own * size)
             shares.append(beside / larger(size + larger(mean, beside), LEAST_STRESS))
-        return ErrorRange((1.0 / more - 1.0) * larger(shares), 0.0)
+        return larger(shares)
+
+    def _pushed_share(self, ask: Ask) -> Number:
+        """Return the share of the largest stress that may be of a load along the stroke.
+
+        By how far it moves the joint and by the mean beside that of the stroke, which large
+        travels and other loads may hide or be.
+        """
+        scene = ask.scene
+        moved = scene.push / larger(number(self.stiffness(ask)), LEAST_STIFFNESS)
+        share = larger(moved / (moved + scene.travel), self._share_beside(ask))
+        return smaller(PUSHED * share, 1.0)
 
     def _of_pulled(self, ask: Ask) -> ErrorRange:
         """Return what wide blades may have of the forces along them.

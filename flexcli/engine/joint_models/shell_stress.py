@@ -32,6 +32,7 @@ from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.exact.rotation import matrix_of
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceLoad, SpaceRod
 from flexcli.mechanics.space.planar import from_plane
+from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import BladeStress, blade_stress
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.elastic import NotAvailable
@@ -56,17 +57,16 @@ and travels to 0.3 l or 0.3 rad, were within 0.003 of the whole where they know 
 
 
 class _States(NamedTuple):
-    """Shells in a case's states beside beams without shear.
+    """Shells in a case's states.
 
-    ``motions`` (states, bodies, 3) are those of shells [m, rad]. ``shells``, ``coarser`` (those of
-    the level before) and ``beams`` (states, blades, 4) are the bending stress at both ends and the
-    axial one there [Pa].
+    ``motions`` (states, bodies, 3) are those of the bodies [m, rad]. ``stresses`` and ``coarser``,
+    those of the level before, (states, blades, 4) are the bending stress at both ends and the axial
+    one there [Pa].
     """
 
     motions: Floats
-    shells: Floats
+    stresses: Floats
     coarser: Floats
-    beams: Floats
 
 
 def by_plates(ask: Ask) -> PlateStresses:
@@ -85,13 +85,15 @@ def by_plates(ask: Ask) -> PlateStresses:
     check_thin(ask, layout)
     if ask.scene.temperature is not None:
         raise NotAvailable("has no stress by shells at a temperature")
-    own, less = (_states(ask, is_narrow=each) for each in (False, True))
-    largest = [_sizes(each.beams) for each in (own, less)]
+    widths = False, True
+    own, less = (_shells(ask, is_narrow=each) for each in widths)
+    beams = [_beams(ask, is_narrow=each) for each in widths]
+    largest = [_sizes(each) for each in beams]
     # under a force a narrower blade has the more stress: as a share of that of its beams
     scale = largest[0] / np.where(largest[1] > 0.0, largest[1], 1.0)
-    changes = own.shells - own.beams, (less.shells - less.beams) * scale[..., None]
+    changes = own.stresses - beams[0], (less.stresses - beams[1]) * scale[..., None]
     middle, apart = (changes[0] + changes[1]) / 2.0, (changes[0] - changes[1]) / 2.0
-    parts = np.stack([middle, apart, own.shells, own.coarser])
+    parts = np.stack([middle, apart, own.stresses, own.coarser])
     thick = _thick(ask, layout)
     unsure = _unsure(parts, thick)
     if ask.scene.moves:  # states are pairs of both ends
@@ -131,18 +133,42 @@ def _thick(ask: Ask, layout: Layout) -> Floats:
     return np.array(found)
 
 
-def _states(ask: Ask, *, is_narrow: bool) -> _States:
+def _shells(ask: Ask, *, is_narrow: bool) -> _States:
     """Return the states of a case by shells."""
 
     def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> _States:
-        drawn = narrowed(upright(layout)) if is_narrow else upright(layout)
-        beams = solved(drawn, held, loads=loads, effects=PLAIN)
-        each = [_by_shells(ask, drawn, *state_of(held, loads, i)) for i in range(beams.designs)]
-        motions, shells, coarser = (np.stack(part) for part in zip(*each, strict=True))
-        found = [_at_ends(blade_stress(beams, blade.name)) for blade in drawn.blades]
-        return _States(motions, shells, coarser, np.stack(found, axis=1))
+        drawn = _drawn(layout, is_narrow=is_narrow)
+        states = _number_of_states(held, loads)
+        each = [_by_shells(ask, drawn, *state_of(held, loads, i)) for i in range(states)]
+        return _States(*(np.stack(part) for part in zip(*each, strict=True)))
 
     return of_case(ask, solver)
+
+
+def _beams(ask: Ask, *, is_narrow: bool) -> Floats:
+    """Return the stresses of a case's states by beams, as those of shells (states, blades, 4) [Pa].
+
+    A stroke starts where its loads leave the joint, beams where they leave beams: what shells bear
+    of a load along the stroke would not be that of beams that are moved as far.
+    """
+
+    def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> Equilibrium:
+        return solved(_drawn(layout, is_narrow=is_narrow), held, loads=loads, effects=PLAIN)
+
+    found = of_case(ask, solver)
+    each = [_at_ends(blade_stress(found, blade.name)) for blade in found.layout.blades]
+    return np.stack(each, axis=1)
+
+
+def _drawn(layout: Layout, *, is_narrow: bool) -> Layout:
+    return narrowed(upright(layout)) if is_narrow else upright(layout)
+
+
+def _number_of_states(held: Held, loads: Sequence[Load]) -> int:
+    """Return how many states motions and loads are of."""
+    given = [x for motion in held.values() for x in motion if x is not None]
+    given += [x for load in loads for x in (*load.force, load.moment)]
+    return max((int(np.size(x)) for x in given), default=1)
 
 
 def _at_ends(found: BladeStress) -> Floats:

@@ -17,7 +17,14 @@ from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.geometries.joint_buckling import row_critical
-from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, lever, places
+from flexcli.parts.geometries.parallel import (
+    SagsAlongStroke,
+    force_share,
+    is_push,
+    lever,
+    places,
+    pulled_evenly,
+)
 from flexcli.results import Value
 
 __all__ = ["LeafSpringStage"]
@@ -61,7 +68,8 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
         """Return the plate factors of guided blades."""
-        return wide_guided(sizes, nu)
+        found = wide_guided(sizes, nu)
+        return pulled_evenly(found, sizes.h, self.spacing, fillet=self.fillet(sizes))
 
     def shift_change(self, sizes: Blade, pure: float, bent: float) -> float:
         """Return the change of shortening of blades bent to an S."""

@@ -24,7 +24,14 @@ from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical, Extent
 from flexcli.parts.geometries.blades import ClampedBlades
 from flexcli.parts.geometries.joint_buckling import CARRIED
-from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, lever, places
+from flexcli.parts.geometries.parallel import (
+    SagsAlongStroke,
+    force_share,
+    is_push,
+    lever,
+    places,
+    pulled_evenly,
+)
 from flexcli.results import ErrorRange, Value
 
 __all__ = ["NeckedDownStage"]
@@ -112,7 +119,8 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
 
     def wide_blades(self, sizes: NeckedSizes, nu: float) -> WideBlades | None:
         """Return the plate factors of the hinges."""
-        return wide_necks(Blade(sizes.h, sizes.l_c, sizes.b), nu, l=sizes.l)
+        found = wide_necks(Blade(sizes.h, sizes.l_c, sizes.b), nu, l=sizes.l)
+        return pulled_evenly(found, sizes.h, self.spacing, fillet=self.fillet(sizes))
 
     def volume(self, sizes: NeckedSizes) -> Computed:
         """Return the volume of the hinges [m³]; the middles are bodies."""
