@@ -35,7 +35,7 @@ from flexcli.mechanics.space.exact.support import unstable_when_free
 from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, SpaceLoad
 from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, correct_on, follow
 
-__all__ = ["SpaceCritical", "critical_load", "straight_critical_factor"]
+__all__ = ["SpaceCritical", "Walked", "critical_load", "straight_critical_factor"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -72,6 +72,7 @@ class SpaceCritical:
     ``turns`` tells a limit point from a branching point; ``estimated_error`` is relative. The
     factor is infinite where no equilibrium up to the largest of interest is critical. Where the
     path ``is_lost`` it is how far that was followed, stable: what is critical lies beyond.
+    ``walked`` is how far its path was, where that is neither critical nor lost.
     """
 
     factor: float
@@ -80,6 +81,14 @@ class SpaceCritical:
     turns: bool
     estimated_error: float
     is_lost: bool = False
+    walked: "Walked | None" = None
+
+
+class Walked(NamedTuple):
+    """Unknowns and factor of an equilibrium on a path of loads on which none before is critical."""
+
+    x: Floats
+    factor: float
 
 
 class _Search(NamedTuple):
@@ -126,6 +135,7 @@ def critical_load(
     tolerance: float = 1e-7,
     levels: Sequence[int] = LEVELS,
     made: MembersOf = beams_of,
+    walked: "Walked | None" = None,
 ) -> SpaceCritical:
     """Return the least factor in (0, most] on a load pattern at which an equilibrium is critical.
 
@@ -146,6 +156,8 @@ def critical_load(
     frames, start, effects, tolerance, levels, made
         As in :func:`flexcli.mechanics.space.exact.equilibrium.solve`, of the layout that has not
         grown; the tolerance is relative.
+    walked : Walked, optional
+        How far the path of the same loads is known.
 
     Returns
     -------
@@ -166,7 +178,10 @@ def critical_load(
         levels=levels, made=made,
     ).checked()  # fmt: skip
     coarse, demand, free = _begun(layout, held, pattern, most, released, rest, made)
-    points, falls = _walk(coarse, demand, free, rest.part.x)
+    begin = rest.part.x, 0.0
+    if walked is not None and walked.x.size == begin[0].size and walked.factor < most:
+        begin = walked.x, walked.factor / most
+    points, falls = _walk(coarse, demand, free, begin)
     finer_levels = [level for level in levels if level > coarse.members.level]
     still = np.zeros((coarse.bodies, 6))
     try:
@@ -186,7 +201,8 @@ def critical_load(
             return SpaceCritical(share * most, 0, still, False, off, is_lost=True)
         if error.code != "no-critical-load":
             raise
-        return SpaceCritical(inf, 0, still, False, 0.0)
+        far = None if falls else Walked(points[-1].x, points[-1].parameter * most)
+        return SpaceCritical(inf, 0, still, False, 0.0, walked=far)
     # too few nodes led past the first point: those that are more look for it from the start
     return critical_load(
         layout, held, pattern, most=most, released=released, frames=frames, start=start,
@@ -288,9 +304,12 @@ def _counted(
 
 
 def _walk(
-    assembly: Assembly, demand: Demand, free: Integers, x: Floats
+    assembly: Assembly, demand: Demand, free: Integers, start: tuple[Floats, float]
 ) -> tuple[list[Hyperplane], bool]:
-    """Return the points of a path as far as it is found, and whether the last is unstable."""
+    """Return the points of a path as far as it is found, and whether the last is unstable.
+
+    It starts at stable unknowns and their share of the loads.
+    """
     known: list[tuple[Floats, int]] = []
 
     def unstable(x: Floats, parameter: float) -> int:
@@ -300,7 +319,7 @@ def _walk(
 
     points = follow(
         _steps(assembly, demand),
-        (x, 0.0),
+        start,
         _weight(assembly),
         stride=_FIRST,
         longest=_LONGEST,
