@@ -103,7 +103,13 @@ class _Search(NamedTuple):
 
     def point(self, x: Floats, parameter: float, s: float) -> Point:
         """Return an equilibrium on the plane s as a point of the path."""
-        S, unstable = _counted(self.assembly, self.demand, self.free, x, parameter)
+        return self.of(
+            x, parameter, s, _counted(self.assembly, self.demand, self.free, x, parameter)
+        )
+
+    def of(self, x: Floats, parameter: float, s: float, counted: tuple[Floats, int]) -> Point:
+        """Return a point of which the matrix and the unstable directions are known."""
+        S, unstable = counted
         P = without_poles(S * np.outer(self.unit, self.unit), 6 * self.assembly.blades)
         return Point(s, parameter, x, P, unstable)
 
@@ -366,12 +372,13 @@ def _stretch(
     """Return a step of the path over which stability is lost, and its ends."""
     s = float(before.tangent @ (before.weight * (last.x - before.x)))
     s += before.slope * (last.parameter - before.parameter)
-    size = np.max(np.abs(_counted(assembly, demand, free, before.x, before.parameter)[0]), axis=-1)
+    counted = _counted(assembly, demand, free, before.x, before.parameter)
+    size = np.max(np.abs(counted[0]), axis=-1)
     unit = 1.0 / np.sqrt(np.where(size > 0.0, size, 1.0))
     search = _Search(assembly, demand, free, before, _LONGEST, unit)
     return (
         search,
-        search.point(before.x, before.parameter, 0.0),
+        search.of(before.x, before.parameter, 0.0, counted),
         search.point(last.x, last.parameter, s),
     )
 
