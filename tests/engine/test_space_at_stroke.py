@@ -6,7 +6,7 @@ import pytest
 from geometries_for_tests import geometry
 
 import flexcli
-from flexcli.engine.joint_models import space_stroke
+from flexcli.engine.joint_models import space_critical, space_stroke
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.errors import SpecError
 from flexcli.formulas.restrained_torsion import restrained_stiffness
@@ -550,3 +550,39 @@ def test_a_steady_load_does_not_hide_how_unsure_the_warping_of_a_stroke_is(model
     # beams know a steady pull of ten times as much far better
     by_pull = next(check for check in result.checks if check.name.startswith("yield"))
     assert model == "linear" or by_pull.factor_range[0] > 0.9 * by_pull.factor
+
+
+LOST = """
+flexure: 1
+material:
+  {youngs_modulus: 200 GPa, yield_strength: 1800 MPa, poisson_ratio: 0.3}
+geometry:
+  kind: space-layout
+  bodies:
+    stage: {at: [0 mm, 50 mm, 0 mm]}
+  blades:
+    leaf: {between: [ground, stage], from: [100 mm, 0 mm, 0 mm], to: [100 mm, 100 mm, 0 mm],
+           h: 0.5 mm, b: 20 mm, width: z, mirror: [x]}
+  moving: stage
+  motion: {translation: x}
+cases:
+  operation: {stroke: {translation: 5 mm}, wrench: {z: 2000 N}}
+requirements:
+  yield: {factor: 1}
+  buckling: {factor: 1}
+"""
+"""Bowed blades far beyond where their path under a force along their width is lost."""
+
+
+def test_each_path_of_loads_is_walked_once_whatever_asks(tmp_path, monkeypatch):
+    """Whether whole loads stand, which stress asks, and what buckles the joint."""
+    walked = []
+    find = space_critical.critical_load
+
+    def counted(layout, held, loads, **how):
+        walked.append((str(held), loads))
+        return find(layout, held, loads, **how)
+
+    monkeypatch.setattr(space_critical, "critical_load", counted)
+    checked(LOST, tmp_path, model="exact")
+    assert len(walked) == len(set(walked)) == 2  # one at each end of the stroke

@@ -7,15 +7,15 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import product
-from math import inf, isfinite
-from typing import TYPE_CHECKING, NamedTuple
+from math import isfinite
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.remembered import Remembered
-from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
+from flexcli.engine.joint_models.space_critical import critical_shares, may_stand
 from flexcli.engine.joint_models.space_deflection import deflections, warm_sag_ratio
 from flexcli.engine.joint_models.space_errors import (
     FURTHER,
@@ -37,16 +37,13 @@ from flexcli.engine.joint_models.space_stroke import (
 )
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
-from flexcli.mechanics.space.exact.critical import critical_load, straight_critical_factor
-from flexcli.mechanics.space.exact.demand import Held, drive_frame
-from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance, vibration
 from flexcli.mechanics.space.inertia import blade_masses
-from flexcli.mechanics.space.layout import SpaceLayout
 from flexcli.mechanics.space.states import Acting, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
-from flexcli.parts.elastic import Buckled, NotAvailable
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.own_motion import first_taking
 from flexcli.parts.requirements import (
     Ask,
@@ -64,7 +61,6 @@ from flexcli.parts.space_states import (
     WARPING_ERROR,
     acting_groups,
     bent_by_gradient,
-    senses,
 )
 from flexcli.parts.strained_compliance import sag
 from flexcli.parts.worst_places import worst_places
@@ -276,7 +272,7 @@ class SpaceExactModel(SpaceLinearModel):
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the shares of the loads that buckle it: drive locked at a stroke, else free."""
-        return tuple(_critical_shares(ask, self.blades))
+        return tuple(critical_shares(ask, self.blades))
 
     def knows_critical_shares(self, ask: Ask) -> bool:
         """Return whether its blades have errors at the ends of the stroke, before loads act."""
@@ -332,7 +328,7 @@ class SpaceExactModel(SpaceLinearModel):
                 ends = self._ends(ask, loads)
             except (NotAvailable, SolveError):
                 # each requirement of a case asks: the path of its loads is walked once
-                self._stands.of(f"{signs}", ask, partial(_may_stand, ask, self.blades, loads))
+                self._stands.of(f"{signs}", ask, partial(may_stand, ask, self.blades, loads))
                 raise
             yield ends
 
@@ -461,140 +457,6 @@ def _most_off(
             return None
         most = max(most, abs(number(state.coarser) / found - 1.0) + error(known))
     return most
-
-
-def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
-    """Yield what buckles it at both ends of a stroke; what is no wrench acts either way.
-
-    Loads across make blades bow from the first on, and the path passes no critical point where
-    they would buckle without: the share may be as little as that of beams which stay straight,
-    which is below that of shells.
-    """
-    scene = ask.scene
-    joint = joint_of(ask)
-    layout, drive = joint.layout, joint.layout.drive
-    acting = acting_groups(joint, scene)
-    groups = [loads_of(joint, each) for each in acting]
-    rest = [action(joint.assembly, each) for each in acting] if blades is BEAMS else []
-    unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
-    (levels, tolerance), most = blades.critical, ask.most_share
-    for travel in dict.fromkeys(scene.stroke_ends):
-        path = _path_at(ask, travel, blades)
-        known = blades.errors(at_travel(ask, travel, blades, warm=False))
-        beams = path if blades is BEAMS else _path_at(ask, travel, BEAMS)
-        soft = _with_soft_blocks(layout, beams) if blades is BEAMS and known else None
-        for signs in senses(scene, len(groups)):
-            pattern = list(signed(groups, signs))
-            spoken = scene.hold
-            try:
-                found = critical_load(
-                    layout, path.held, pattern, most=most, frames=drive_frame(drive),
-                    start=path.start, levels=levels, tolerance=tolerance, made=blades.made,
-                )  # fmt: skip
-            except SolveError as error:
-                raise NotAvailable(f"has no buckling load: {error}") from error
-            share, off = found.factor, found.estimated_error + unsure
-            off = off + known.support if known else inf
-            high = off
-            if found.is_lost:
-                high, spoken = inf, f"{spoken}: no more of its path is found, stable so far"
-            if share > most:
-                share, high, spoken = most, inf, f"{spoken}: none up to that"
-            straight = straight_critical_factor(
-                layout, beams.held, pattern, most=share, frames=drive_frame(drive),
-                start=beams.start,
-            )  # fmt: skip
-            low = min(1.0, straight / share) * (1.0 - off)
-            if soft is not None:
-                softest = straight_critical_factor(
-                    soft.layout, beams.held, pattern, most=share, frames=drive_frame(drive),
-                    start=soft.start,
-                )  # fmt: skip
-                own = (1.0 - soft.off) * (1.0 - found.estimated_error - unsure)
-                low = max(low, min(1.0, softest / share) * own)
-            if rest:
-                forces = combined(rest, [share * sign for sign in signs]).moved.forces[:, 0]
-                low /= 1.0 + width_error(joint.assembly, forces)
-            error_range = ErrorRange(low - 1.0, high) if isfinite(off) else None
-            yield CriticalShare(share, spoken, error_range)
-
-
-class _SoftBlocks(NamedTuple):
-    """A joint drawn with its blocks at their softest, where loads start on it, and its error.
-
-    By as much its hinges alone may be less stiff than beams.
-    """
-
-    layout: SpaceLayout
-    start: SpaceEquilibrium | None
-    off: float
-
-
-def _with_soft_blocks(layout: SpaceLayout, path: "_Path") -> _SoftBlocks | None:
-    """Return a joint with blocks beside its hinges, which its own beams have in their error."""
-    soft = with_soft_blocks(layout)
-    if soft is None:
-        return None
-    start = None
-    if path.held is not None:
-        start = solve(soft, path.held, frames=drive_frame(soft.drive)).checked()
-    return _SoftBlocks(soft, start, hinge_alone_off(layout))
-
-
-class _Path(NamedTuple):
-    """What the drive holds while loads grow, and where they start: rest where it holds nothing."""
-
-    held: Held | None
-    start: SpaceEquilibrium | None
-
-
-def _path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
-    """Return how loads grow at an end of a stroke; a guide is not among what is held."""
-    if not ask.scene.moves:
-        return _Path(None, None)
-    state = at_travel(ask, travel, blades, warm=False)
-    own = driven_coordinate(state.layout) % 6
-    return _Path({state.layout.drive.body: [travel if i == own else None for i in range(6)]}, state)
-
-
-def _may_stand(ask: Ask, blades: Blades, loads: Loads) -> bool:
-    """Return that loads are not known to buckle the joint as they grow.
-
-    Raises
-    ------
-    Buckled
-        Where they are.
-
-    """
-    layout = joint_of(ask).layout
-    levels, tolerance = blades.critical
-    for travel in dict.fromkeys(ask.scene.stroke_ends):
-        try:
-            path = _path_at(ask, travel, blades)
-            found = critical_load(
-                layout, path.held, loads, most=1.0, frames=drive_frame(layout.drive),
-                start=path.start, levels=levels, tolerance=tolerance, made=blades.made,
-            )  # fmt: skip
-        except (NotAvailable, SolveError):
-            continue
-        if found.factor < 1.0 and not found.is_lost:
-            raise Buckled(found.factor)
-    return True
-
-
-def _weight_of_blades(joint: SpaceJoint, acting: Acting) -> float:
-    """Return the share of what bodies weigh by which their blades may be off as half weights.
-
-    The force along a blade that its own weight makes is between none and all of it at its end. What
-    a mechanism weighs on its joint is in the wrench.
-    """
-    size = float(np.linalg.norm(acting.acceleration))
-    if size == 0.0:
-        return 0.0
-    bodies = sum(body.mass for body in joint.layout.bodies)
-    bodies += float(np.linalg.norm(acting.wrench[:3])) / size
-    halves = float(np.sum(blade_masses(joint.assembly))) / 2.0
-    return halves / bodies if bodies > 0.0 else inf
 
 
 def _stress_of_weight(joint: SpaceJoint, acting: Acting) -> float:

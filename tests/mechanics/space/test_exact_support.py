@@ -10,6 +10,7 @@ from support import body_stiffness
 from flexcli.formulas.plate_factors import guided_factor
 from flexcli.formulas.restrained_torsion import restrained_stresses
 from flexcli.formulas.torsion_section import torsion_constant
+from flexcli.mechanics.space.exact import critical
 from flexcli.mechanics.space.exact.critical import critical_load, straight_critical_factor
 from flexcli.mechanics.space.exact.demand import Frame
 from flexcli.mechanics.space.exact.equilibrium import solve
@@ -185,6 +186,25 @@ def test_nothing_critical_is_told():
     found = critical_load(rod(d=1e-3), None, [load], most=3.0)
     assert found.factor == np.inf
     assert straight_critical_factor(rod(d=1e-3), None, [load], most=3.0) == np.inf
+
+
+def test_a_path_is_walked_on_from_where_it_is_known_to_stand(monkeypatch):
+    """Half of Euler's load buckles no column; the walk to all of it begins there."""
+    d, l = 1e-3, 0.1
+    euler = np.pi**2 * E * np.pi * d**4 / 64 / (4.0 * l**2)
+    layout, load = rod(d=d, l=l), SpaceLoad("tip", (l, 0, 0), (-euler, 0, 0))
+    starts = []
+    follow = critical.follow
+    monkeypatch.setattr(critical, "follow", lambda *a, **k: starts.append(a[1]) or follow(*a, **k))
+    half = critical_load(layout, None, [load], most=0.5)
+    assert half.factor == np.inf
+    found = critical_load(layout, None, [load], most=1.5, walked=half.walked)
+    assert found.factor == pytest.approx(1.0, rel=1e-3)
+    assert found.factor == pytest.approx(
+        critical_load(layout, None, [load], most=1.5).factor, rel=1e-6
+    )
+    assert starts[1][1] == pytest.approx(half.walked.factor / 1.5)
+    assert half.walked.factor >= 0.5
 
 
 def test_a_rod_that_bows_from_the_first_on_has_the_load_of_a_straight_one_beside_it():

@@ -35,7 +35,7 @@ from flexcli.mechanics.space.exact.support import unstable_when_free
 from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, SpaceLoad
 from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, correct_on, follow
 
-__all__ = ["SpaceCritical", "critical_load", "straight_critical_factor"]
+__all__ = ["SpaceCritical", "Walked", "critical_load", "straight_critical_factor"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -72,6 +72,7 @@ class SpaceCritical:
     ``turns`` tells a limit point from a branching point; ``estimated_error`` is relative. The
     factor is infinite where no equilibrium up to the largest of interest is critical. Where the
     path ``is_lost`` it is how far that was followed, stable: what is critical lies beyond.
+    ``walked`` is how far its path was, where that is neither critical nor lost.
     """
 
     factor: float
@@ -80,6 +81,14 @@ class SpaceCritical:
     turns: bool
     estimated_error: float
     is_lost: bool = False
+    walked: "Walked | None" = None
+
+
+class Walked(NamedTuple):
+    """Unknowns and factor of an equilibrium on a path of loads on which none before is critical."""
+
+    x: Floats
+    factor: float
 
 
 class _Search(NamedTuple):
@@ -94,7 +103,13 @@ class _Search(NamedTuple):
 
     def point(self, x: Floats, parameter: float, s: float) -> Point:
         """Return an equilibrium on the plane s as a point of the path."""
-        S, unstable = _counted(self.assembly, self.demand, self.free, x, parameter)
+        return self.of(
+            x, parameter, s, _counted(self.assembly, self.demand, self.free, x, parameter)
+        )
+
+    def of(self, x: Floats, parameter: float, s: float, counted: tuple[Floats, int]) -> Point:
+        """Return a point of which the matrix and the unstable directions are known."""
+        S, unstable = counted
         P = without_poles(S * np.outer(self.unit, self.unit), 6 * self.assembly.blades)
         return Point(s, parameter, x, P, unstable)
 
@@ -126,6 +141,7 @@ def critical_load(
     tolerance: float = 1e-7,
     levels: Sequence[int] = LEVELS,
     made: MembersOf = beams_of,
+    walked: "Walked | None" = None,
 ) -> SpaceCritical:
     """Return the least factor in (0, most] on a load pattern at which an equilibrium is critical.
 
@@ -146,6 +162,8 @@ def critical_load(
     frames, start, effects, tolerance, levels, made
         As in :func:`flexcli.mechanics.space.exact.equilibrium.solve`, of the layout that has not
         grown; the tolerance is relative.
+    walked : Walked, optional
+        How far the path of the same loads is known.
 
     Returns
     -------
@@ -166,7 +184,10 @@ def critical_load(
         levels=levels, made=made,
     ).checked()  # fmt: skip
     coarse, demand, free = _begun(layout, held, pattern, most, released, rest, made)
-    points, falls = _walk(coarse, demand, free, rest.part.x)
+    begin = rest.part.x, 0.0
+    if walked is not None and walked.x.size == begin[0].size and walked.factor < most:
+        begin = walked.x, walked.factor / most
+    points, falls = _walk(coarse, demand, free, begin)
     finer_levels = [level for level in levels if level > coarse.members.level]
     still = np.zeros((coarse.bodies, 6))
     try:
@@ -186,7 +207,8 @@ def critical_load(
             return SpaceCritical(share * most, 0, still, False, off, is_lost=True)
         if error.code != "no-critical-load":
             raise
-        return SpaceCritical(inf, 0, still, False, 0.0)
+        far = None if falls else Walked(points[-1].x, points[-1].parameter * most)
+        return SpaceCritical(inf, 0, still, False, 0.0, walked=far)
     # too few nodes led past the first point: those that are more look for it from the start
     return critical_load(
         layout, held, pattern, most=most, released=released, frames=frames, start=start,
@@ -288,9 +310,12 @@ def _counted(
 
 
 def _walk(
-    assembly: Assembly, demand: Demand, free: Integers, x: Floats
+    assembly: Assembly, demand: Demand, free: Integers, start: tuple[Floats, float]
 ) -> tuple[list[Hyperplane], bool]:
-    """Return the points of a path as far as it is found, and whether the last is unstable."""
+    """Return the points of a path as far as it is found, and whether the last is unstable.
+
+    It starts at stable unknowns and their share of the loads.
+    """
     known: list[tuple[Floats, int]] = []
 
     def unstable(x: Floats, parameter: float) -> int:
@@ -300,7 +325,7 @@ def _walk(
 
     points = follow(
         _steps(assembly, demand),
-        (x, 0.0),
+        start,
         _weight(assembly),
         stride=_FIRST,
         longest=_LONGEST,
@@ -347,12 +372,13 @@ def _stretch(
     """Return a step of the path over which stability is lost, and its ends."""
     s = float(before.tangent @ (before.weight * (last.x - before.x)))
     s += before.slope * (last.parameter - before.parameter)
-    size = np.max(np.abs(_counted(assembly, demand, free, before.x, before.parameter)[0]), axis=-1)
+    counted = _counted(assembly, demand, free, before.x, before.parameter)
+    size = np.max(np.abs(counted[0]), axis=-1)
     unit = 1.0 / np.sqrt(np.where(size > 0.0, size, 1.0))
     search = _Search(assembly, demand, free, before, _LONGEST, unit)
     return (
         search,
-        search.point(before.x, before.parameter, 0.0),
+        search.of(before.x, before.parameter, 0.0, counted),
         search.point(last.x, last.parameter, s),
     )
 

@@ -176,56 +176,58 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
         )
     size = 7 * K + len(runs) * warped
     # columns: η', δM, δ(τ/a)' (node by node), closing of δτ; then δn, closing moments, start's turn
-    H = np.zeros((size + 9, size + 9))
-    rate, moment, twist = (np.arange(3 * K) + 3 * K * k for k in range(3))
-    twist = twist[:K]
-    force, close, start = (np.arange(3) + size + 3 * k for k in range(3))
+    half = np.zeros((size + 9, size + 9))
+    rate, moment, twist = slice(0, 3 * K), slice(3 * K, 6 * K), slice(6 * K, 7 * K)
+    across, along = slice(3 * K + 2, 6 * K, 3), slice(3 * K, 6 * K, 3)
+    force, close, start = (slice(size + 3 * k, size + 3 * k + 3) for k in range(3))
     # η at the nodes by η' and by the turn of the start
-    turned, turn = np.concatenate([rate, start]), np.column_stack([J, np.ones(K)])
+    turn = np.column_stack([J, np.ones(K)])
 
-    def add(rows: Integers, blocks: Floats, columns: Integers) -> None:
-        """Add a block of the matrix, and its mirror image."""
-        H[rows[:, None], columns] += blocks
-        H[columns[:, None], rows] += blocks.T
+    def add(rows: slice, blocks: Floats) -> None:
+        """Add a block whose columns are those of η at the nodes."""
+        half[rows, rate] += blocks[:, : 3 * K]
+        half[rows, start] += blocks[:, 3 * K :]
 
-    add(turned, _weighted(turn, w, turn_turn, turn) / 2.0, turned)
-    add(turned, _weighted(turn, w, turn_force, np.ones((K, 1))), force)
-    H[np.ix_(force, force)] += np.tensordot(w, force_force, axes=(0, 0))
-    add(rate, _weighted(None, w, rate_turn, turn), turned)
-    add(moment, _weighted(None, w, moment_turn, turn), turned)
-    H[moment, rate] += np.repeat(w, 3)
-    H[rate, moment] += np.repeat(w, 3)
+    turns = _weighted(turn, w, turn_turn, turn) / 2.0
+    forced = _weighted(turn, w, turn_force, np.ones((K, 1)))
+    for rows, own in ((rate, slice(0, 3 * K)), (start, slice(3 * K, None))):
+        add(rows, turns[own])
+        half[rows, force] += forced[own]
+    half[force, force] += np.tensordot(w, force_force, axes=(0, 0)) / 2.0
+    add(rate, _weighted(None, w, rate_turn, turn))
+    add(moment, _weighted(None, w, moment_turn, turn))
+    half[moment, rate] += np.diag(np.repeat(w, 3))
     compliant = np.stack([spin, mesh.bend_y[i, used], law.compliance], axis=-1)
-    H[moment, moment] -= (w[:, None] * compliant).ravel()
-    add(moment[::3], -w[:, None] * T, twist)
-    add(moment[2::3], -(w * law.coupling)[:, None] * T, twist)
-    add(twist, T.T @ ((w * torsion)[:, None] * T) / 2.0, twist)
+    half[moment, moment] -= np.diag((w[:, None] * compliant).ravel() / 2.0)
+    half[along, twist] -= w[:, None] * T
+    half[across, twist] -= (w * law.coupling)[:, None] * T
+    half[twist, twist] += T.T @ ((w * torsion)[:, None] * T) / 2.0
     pull = w * polar * tau
-    add(twist, _weighted(T, pull, N_s[:, :1], turn), turned)
-    add(twist, _weighted(T, pull, R_t[:, :1], np.ones((K, 1))), force)
+    add(twist, _weighted(T, pull, N_s[:, :1], turn))
+    half[twist, force] += _weighted(T, pull, R_t[:, :1], np.ones((K, 1)))
     if warped:
-        H[twist, twist] += warping * w
+        half[twist, twist] += np.diag(warping * w / 2.0)
         for k, run in enumerate(runs):
-            H[7 * K + k, twist[run]] = H[twist[run], 7 * K + k] = w[run]
+            half[7 * K + k, 6 * K + run] = w[run]
     # closing: η(1) − η(0) − ∫ η' = 0
-    H[close[:, None], rate.reshape(K, 3).T] -= w
-    H[rate.reshape(K, 3).T, close[:, None]] -= w
-    H[close, start] -= 1.0
-    H[start, close] -= 1.0
+    for k in range(3):
+        half[size + 3 + k, k : 3 * K : 3] -= w
+    half[close, start] -= np.eye(3)
+    H = half + half.T
     # a rigid stretch has no twist of its own
     kept = np.ones(size, dtype=bool)
     kept[twist] = False
     for run in runs:
-        kept[twist[run]] = True
-    inner, outer = np.flatnonzero(kept), np.arange(size, size + 9)
-    A, B = H[np.ix_(inner, inner)], H[np.ix_(inner, outer)]
+        kept[6 * K + run] = True
+    inner = slice(0, size) if kept.all() else np.flatnonzero(kept)
+    A, B = H[inner][:, inner], H[inner, size:]
     scale = np.sqrt(np.max(np.abs(A), axis=1))
     A = A / np.outer(scale, scale)
     B = B / scale[:, None]
     # the moments take part with minus their compliance, the closing of δτ with none
     concave = 3 * K - int(np.sum(law.compliance < 0.0)) + len(runs) * warped
     followed, negative = solved_and_counted(A, B)
-    return BeamVariation(H[np.ix_(outer, outer)] - B.T @ followed, negative - concave)
+    return BeamVariation(H[size:, size:] - B.T @ followed, negative - concave)
 
 
 def _weighted(left: Floats | None, w: Floats, blocks: Floats, right: Floats) -> Floats:

@@ -1,0 +1,214 @@
+"""What buckles a joint in space: the shares of its loads at both ends of a stroke."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from math import inf, isfinite
+from typing import NamedTuple, TypeAlias
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from flexcli.engine.joint_models.dead_loads import loads_of, signed
+from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
+from flexcli.engine.joint_models.space_errors import width_error
+from flexcli.engine.joint_models.space_stroke import (
+    BEAMS,
+    Blades,
+    Loads,
+    at_travel,
+    driven_coordinate,
+)
+from flexcli.errors import SolveError
+from flexcli.mechanics.space.exact.critical import (
+    SpaceCritical,
+    critical_load,
+    straight_critical_factor,
+)
+from flexcli.mechanics.space.exact.demand import Held, drive_frame
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
+from flexcli.mechanics.space.inertia import blade_masses
+from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.mechanics.space.states import Acting, action, combined
+from flexcli.parts.elastic import Buckled, NotAvailable
+from flexcli.parts.requirements import Ask, CriticalShare
+from flexcli.parts.space_joint import SpaceJoint, joint_of
+from flexcli.parts.space_states import acting_groups, senses
+from flexcli.results import ErrorRange
+
+__all__ = ["critical_shares", "may_stand"]
+
+LOST_EARLY = 0.5
+"""Share of the loads asked for, before which the end of a path that is lost is its own."""
+
+_Asked: TypeAlias = tuple[str, float | None, Loads, bool]
+
+_KNOWN: WeakKeyDictionary[SpaceJoint, dict[_Asked, tuple[float, SpaceCritical | SolveError]]]
+_KNOWN = WeakKeyDictionary()
+"""Up to which share the path of loads was asked for, and what was found."""
+
+
+def critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
+    """Yield what buckles it at both ends of a stroke; what is no wrench acts either way.
+
+    Loads across make blades bow from the first on, and the path passes no critical point where
+    they would buckle without: the share may be as little as that of beams which stay straight,
+    which is below that of shells.
+    """
+    scene = ask.scene
+    joint = joint_of(ask)
+    layout, drive = joint.layout, joint.layout.drive
+    acting = acting_groups(joint, scene)
+    groups = [loads_of(joint, each) for each in acting]
+    rest = [action(joint.assembly, each) for each in acting] if blades is BEAMS else []
+    unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
+    most = ask.most_share
+    for travel in dict.fromkeys(scene.stroke_ends):
+        known = blades.errors(at_travel(ask, travel, blades, warm=False))
+        beams = _path_at(ask, travel, BEAMS)
+        soft = _with_soft_blocks(layout, beams) if blades is BEAMS and known else None
+        for signs in senses(scene, len(groups)):
+            pattern = tuple(signed(groups, signs))
+            spoken = scene.hold
+            try:
+                found = _critical(ask, travel, blades, pattern, most)
+            except SolveError as error:
+                raise NotAvailable(f"has no buckling load: {error}") from error
+            share, off = found.factor, found.estimated_error + unsure
+            off = off + known.support if known else inf
+            high = off
+            if found.is_lost:
+                high, spoken = inf, f"{spoken}: no more of its path is found, stable so far"
+            if share > most:
+                share, high, spoken = most, inf, f"{spoken}: none up to that"
+            straight = straight_critical_factor(
+                layout, beams.held, pattern, most=share, frames=drive_frame(drive),
+                start=beams.start,
+            )  # fmt: skip
+            low = min(1.0, straight / share) * (1.0 - off)
+            if soft is not None:
+                softest = straight_critical_factor(
+                    soft.layout, beams.held, pattern, most=share, frames=drive_frame(drive),
+                    start=soft.start,
+                )  # fmt: skip
+                own = (1.0 - soft.off) * (1.0 - found.estimated_error - unsure)
+                low = max(low, min(1.0, softest / share) * own)
+            if rest:
+                forces = combined(rest, [share * sign for sign in signs]).moved.forces[:, 0]
+                low /= 1.0 + width_error(joint.assembly, forces)
+            error_range = ErrorRange(low - 1.0, high) if isfinite(off) else None
+            yield CriticalShare(share, spoken, error_range)
+
+
+def _critical(ask: Ask, travel: float, blades: Blades, loads: Loads, most: float) -> SpaceCritical:
+    """Return where loads get a joint unstable at a travel of its drive, their path walked once.
+
+    Who asks for larger loads goes on from where those that are known to be borne were.
+    """
+    joint = joint_of(ask)
+    known = _KNOWN.setdefault(joint, {})
+    key = blades.name, travel if ask.scene.moves else None, loads, ask.near is not None
+    before, answer = known.get(key, (0.0, None))
+    found = None if answer is None else _answered(before, answer, most)
+    if found is None:
+        walked = answer.walked if isinstance(answer, SpaceCritical) else None
+        path, (levels, tolerance) = _path_at(ask, travel, blades), blades.critical
+        try:
+            found = critical_load(
+                joint.layout, path.held, loads, most=most, frames=drive_frame(joint.layout.drive),
+                start=path.start, levels=levels, tolerance=tolerance, made=blades.made,
+                walked=walked,
+            )  # fmt: skip
+        except SolveError as error:
+            found = error
+        known[key] = most, found
+    if isinstance(found, SolveError):
+        raise found
+    return found
+
+
+def _answered(
+    before: float, known: SpaceCritical | SolveError, most: float
+) -> SpaceCritical | SolveError | None:
+    """Return what is known of loads up to ``most`` of those up to ``before``; nothing if unknown.
+
+    Steps are as long as the loads that are asked for: a path that is lost near the end of those may
+    be found to larger ones, not one that is lost where it hardly grows with them.
+    """
+    if isinstance(known, SolveError):
+        return known if most == before else None
+    if isfinite(known.factor) and known.factor >= most:
+        return replace(known, factor=inf, is_lost=False)
+    ends = known.factor < (LOST_EARLY * before if known.is_lost else inf)
+    return known if ends or most <= before else None
+
+
+class _SoftBlocks(NamedTuple):
+    """A joint drawn with its blocks at their softest, where loads start on it, and its error.
+
+    By as much its hinges alone may be less stiff than beams.
+    """
+
+    layout: SpaceLayout
+    start: SpaceEquilibrium | None
+    off: float
+
+
+def _with_soft_blocks(layout: SpaceLayout, path: "_Path") -> _SoftBlocks | None:
+    """Return a joint with blocks beside its hinges, which its own beams have in their error."""
+    soft = with_soft_blocks(layout)
+    if soft is None:
+        return None
+    start = None
+    if path.held is not None:
+        start = solve(soft, path.held, frames=drive_frame(soft.drive)).checked()
+    return _SoftBlocks(soft, start, hinge_alone_off(layout))
+
+
+class _Path(NamedTuple):
+    """What the drive holds while loads grow, and where they start: rest where it holds nothing."""
+
+    held: Held | None
+    start: SpaceEquilibrium | None
+
+
+def _path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
+    """Return how loads grow at an end of a stroke; a guide is not among what is held."""
+    if not ask.scene.moves:
+        return _Path(None, None)
+    state = at_travel(ask, travel, blades, warm=False)
+    own = driven_coordinate(state.layout) % 6
+    return _Path({state.layout.drive.body: [travel if i == own else None for i in range(6)]}, state)
+
+
+def may_stand(ask: Ask, blades: Blades, loads: Loads) -> bool:
+    """Return that loads are not known to buckle the joint as they grow.
+
+    Raises
+    ------
+    Buckled
+        Where they are.
+
+    """
+    for travel in dict.fromkeys(ask.scene.stroke_ends):
+        try:
+            found = _critical(ask, travel, blades, loads, 1.0)
+        except (NotAvailable, SolveError):
+            continue
+        if found.factor < 1.0 and not found.is_lost:
+            raise Buckled(found.factor)
+    return True
+
+
+def _weight_of_blades(joint: SpaceJoint, acting: Acting) -> float:
+    """Return the share of what bodies weigh by which their blades may be off as half weights.
+
+    The force along a blade that its own weight makes is between none and all of it at its end. What
+    a mechanism weighs on its joint is in the wrench.
+    """
+    size = float(np.linalg.norm(acting.acceleration))
+    if size == 0.0:
+        return 0.0
+    bodies = sum(body.mass for body in joint.layout.bodies)
+    bodies += float(np.linalg.norm(acting.wrench[:3])) / size
+    halves = float(np.sum(blade_masses(joint.assembly))) / 2.0
+    return halves / bodies if bodies > 0.0 else inf
