@@ -92,8 +92,8 @@ STIFFEST_NU = 0.49
 """Largest Poisson's ratio: beyond, solids lock."""
 
 ALIKE = 3e-3
-"""Of a stress, what two meshes may be off together: where both told as good as the same, finer ones
-were within 0.0027 of them."""
+"""Of a stress, what two meshes may be off together besides: where both told as good as the same,
+finer ones were within 0.0027 of them."""
 
 CLEAR = 0.8
 """Largest nominal stress of a mouth that is clamped over that beside the throat, up to which the
@@ -493,7 +493,7 @@ def beside_throat(solid: SolidUnderLoads, wrenches: Floats, largest: float) -> N
 
 
 def meshed(solid: SolidUnderLoads, wrench: Floats) -> float:
-    """Return by how much both meshes of a solid differ in the stresses of a wrench's parts [Pa]."""
+    """Return by how much finer meshes may change the stresses of a wrench's parts [Pa]."""
     return float(sum(wrench[k] * solid.apart(int(k)) for k in np.flatnonzero(wrench)))
 
 

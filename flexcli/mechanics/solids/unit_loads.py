@@ -27,6 +27,12 @@ BEYOND = 0.9
 TWISTED = 0.208
 """Least torque of a rectangle over b h² times its largest shear: that of a square."""
 
+FINER = (6e-3, 0.0, 5e-3, 3e-3, 0.0, 0.0)
+"""Of the largest stress of each unit load, what finer bricks may change besides. Of 34 random necks
+(e/ρ 0.003 to 0.8, b/e 0.3 to 18, straight or not, clamped or not) those of orders 6, 8 and 6 were
+farther from the finer mesh here than this from the coarser, of N (ends of short, thick straight
+stretches) by 0.0076, of V_z by 0.0063, of T by 0.0046, of moments and V_y by 0.0025."""
+
 KEPT = 16
 """Necks whose solution is kept, a few megabytes each: the next verb or case asks the same."""
 
@@ -110,10 +116,15 @@ class NeckUnderLoads:
         return float(np.max(normal + np.sqrt(3.0) * shear))
 
     def apart(self, index: int) -> float:
-        """Return by how much the largest stresses of a unit load differ on both meshes [Pa]."""
+        """Return by how much finer meshes may change the largest stress of a unit load [Pa].
+
+        That is by how much it differs on both, and a share of it.
+        """
         unit = np.eye(6)[[index]]
-        coarse, fine = (equivalent(self.stresses(unit, each)[0]) for each in (COARSE, FINE))
-        return abs(float(np.abs(coarse).max() - np.abs(fine).max()))
+        coarse, fine = (
+            float(np.abs(equivalent(self.stresses(unit, each)[0])).max()) for each in (COARSE, FINE)
+        )
+        return abs(coarse - fine) + FINER[index] * fine
 
     def _moved(self, orders: tuple[int, int, int], index: int) -> Moved:
         found = self._octants[orders].moved(index)

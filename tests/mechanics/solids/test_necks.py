@@ -88,3 +88,20 @@ def test_stresses_across_are_those_of_calculix(index):
     # half as fine; of thin throats that are twisted up to 5 %
     expected = np.array([load[3] for load in loads])
     assert found.max(axis=1)[inside] == pytest.approx(expected[inside], rel=0.055)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("neck", "load"),
+    [
+        (Neck(0.543, 1.0, 1.84, 1.68, 0.579, 2.0), 0),  # 0.9 % where both meshes differ by 0.4
+        (Neck(0.2212, 1.0, 2.61, 0.155, 0.0, 0.0), 2),  # 0.8 % where they differ by 0.2
+    ],
+)
+def test_finer_bricks_change_a_stress_by_no_more_than_is_told(neck, load, monkeypatch):
+    solid, unit = NeckUnderLoads(neck, 1.0, 0.45), np.eye(6)[[load]]
+    told = solid.apart(load)
+    here = np.abs(equivalent(solid.stresses(unit, FINE)[0])).max()
+    monkeypatch.setattr("flexcli.mechanics.solids.unit_loads.FINE", (6, 8, 6))
+    finer = NeckUnderLoads(neck, 1.0, 0.45).stresses(unit, (6, 8, 6))[0]
+    assert abs(np.abs(equivalent(finer)).max() - here) < told + 3e-3 * here
