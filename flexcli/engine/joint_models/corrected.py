@@ -490,10 +490,10 @@ class Corrected(JointModel):
         """Return the share of the largest stress that may be of a load along the stroke.
 
         By how far it moves the joint and by the mean beside that of the stroke, which large
-        travels and other loads may hide or be.
+        travels and other loads may hide or be. A design nearby is moved as far.
         """
-        scene = ask.scene
-        moved = scene.push / larger(number(self.stiffness(ask)), LEAST_STIFFNESS)
+        scene, about = ask.scene, ask if ask.near is None else ask.near._replace(scene=ask.scene)
+        moved = scene.push / larger(number(self.stiffness(about)), LEAST_STIFFNESS)
         share = larger(moved / (moved + scene.travel), self._share_beside(ask))
         return smaller(PUSHED * share, 1.0)
 
