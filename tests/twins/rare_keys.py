@@ -96,6 +96,8 @@ def _shaken_otherwise(w, spec):
             case["shock"] = shock
         if "asd" in case and rng.random() < 0.6:
             way = rng.random()
+            if "lock" not in case and spec["mechanism"]["kind"] == "parallel-stage":
+                continue  # along other axes it swings
             if way < 0.35:
                 del case["asd"]
                 axes = w.one("xy", "xz", "yz", "xyz")
