@@ -483,8 +483,9 @@ def finest_answer(spec):
     """Return what the finest model says of each row, by exact beams where no finer one does.
 
     Of notches that is their solid where it has a range, of other joints shells where they are asked
-    of and have a narrower one.
+    of and have a narrower one. No plan is made, of which these two have none.
     """
+    spec = {key: each for key, each in spec.items() if key != "accuracy"}
     beams = answer(spec, "exact")
     if beams.bug or beams.exit_code == 2:
         return beams
