@@ -258,11 +258,13 @@ def _sag(
 ) -> Floats | float:
     """Return how far the loads move the joint along its stroke by themselves [m or rad].
 
-    A stroke is from where the loads leave the joint: the drive does not hold against them.
+    A stroke is from where the loads leave the joint: the drive does not hold against them. Forces
+    turn no body whose ends a case keeps from turning.
     """
     scene, geometry = ask.scene, ask.geometry
     loads = _loads(scene, layout, density, signs, 0.0)
-    if not loads:
+    held_turn = driven_axis(geometry) == 2 and hold_of(scene).turn and scene.push == 0.0
+    if not loads or held_turn:
         return 0.0
     held, body = {MOVING: _undriven(ask)}, layout.index(MOVING)
     own = geometry.own_mass > 0.0 and any(any(field[:2]) for field in scene.accelerations)
