@@ -239,10 +239,8 @@ def _moved_end(
     state: SpaceEquilibrium, body: str, end: tuple[float, float, float], along: Floats
 ) -> tuple[Floats, Floats]:
     """Return where an end of a blade went, and the way along the blade there."""
-    if body not in {each.name for each in state.layout.bodies}:
-        return np.asarray(end), along
-    shift = state.motion_of(body, end)[:3]
-    return np.asarray(end) + shift, np.asarray(matrix_of(state.quaternion(body)) @ along)
+    turned = matrix_of(state.quaternion(body)) @ along
+    return np.asarray(end) + state.shift_of(body, end), np.asarray(turned)
 
 
 def _cubic(

@@ -41,6 +41,7 @@ __all__ = [
     "paths",
     "solved",
     "state_of",
+    "states_of",
     "turned",
     "warmed",
 ]
@@ -431,6 +432,14 @@ def _prove_buckled(
         except SolveError:
             continue
         raise Buckled(found.factor)
+
+
+def states_of(held: Held, loads: Sequence[Load]) -> list[tuple[Held, list[Load]]]:
+    """Return what is held, and the loads, in each of all states."""
+    numbers = [x for motion in held.values() for x in motion if x is not None]
+    numbers += [x for load in loads for x in (*load.force, load.moment)]
+    count = max((int(np.size(x)) for x in numbers), default=1)
+    return [state_of(held, loads, which) for which in range(count)]
 
 
 def state_of(held: Held, loads: Sequence[Load], which: int) -> tuple[Held, list[Load]]:

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_errors import hinges_more, springs_without_blocks
-from flexcli.mechanics.space.exact.assembly import UNTURNED
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import (
     conjugate,
@@ -77,7 +76,7 @@ def posed(
     blades, found = [], []
     for blade, member in zip(layout.blades, members, strict=True):
         assert isinstance(blade, SpaceBlade)  # hinges are
-        first, second = _turn(state, blade.first), _turn(state, blade.second)
+        first, second = state.quaternion(blade.first), state.quaternion(blade.second)
         half = quaternion_of(vector_of(product(conjugate(first), second)) / 2.0)
         turn = matrix_of(product(first, half))
         start, end = (
@@ -100,16 +99,6 @@ def posed(
     return replace(layout, bodies=bodies, blades=tuple(blades), drive=there), tuple(found)
 
 
-def _turn(state: SpaceEquilibrium, body: str) -> Floats:
-    return state.quaternion(body) if _moves(state, body) else UNTURNED
-
-
 def _at(state: SpaceEquilibrium, body: str, point: Vector) -> Vector:
-    """Return where a point of a body is; those of the ground stay."""
-    if not _moves(state, body):
-        return point
-    return vector(np.asarray(point) + state.motion_of(body, point)[:3])
-
-
-def _moves(state: SpaceEquilibrium, body: str) -> bool:
-    return body in {each.name for each in state.layout.bodies}
+    """Return where a point of a body is."""
+    return vector(np.asarray(point) + state.shift_of(body, point))

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.face_stress import PlateStresses
-from flexcli.engine.joint_models.joint_states import of_case, solved, state_of
+from flexcli.engine.joint_models.joint_states import of_case, solved, states_of
 from flexcli.engine.joint_models.shell_shift import (
     LEVELS,
     TOLERANCE,
@@ -138,8 +138,7 @@ def _shells(ask: Ask, *, is_narrow: bool) -> _States:
 
     def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> _States:
         drawn = _drawn(layout, is_narrow=is_narrow)
-        states = _number_of_states(held, loads)
-        each = [_by_shells(ask, drawn, *state_of(held, loads, i)) for i in range(states)]
+        each = [_by_shells(ask, drawn, *state) for state in states_of(held, loads)]
         return _States(*(np.stack(part) for part in zip(*each, strict=True)))
 
     return of_case(ask, solver)
@@ -162,13 +161,6 @@ def _beams(ask: Ask, *, is_narrow: bool) -> Floats:
 
 def _drawn(layout: Layout, *, is_narrow: bool) -> Layout:
     return narrowed(upright(layout)) if is_narrow else upright(layout)
-
-
-def _number_of_states(held: Held, loads: Sequence[Load]) -> int:
-    """Return how many states motions and loads are of."""
-    given = [x for motion in held.values() for x in motion if x is not None]
-    given += [x for load in loads for x in (*load.force, load.moment)]
-    return max((int(np.size(x)) for x in given), default=1)
 
 
 def _at_ends(found: BladeStress) -> Floats:

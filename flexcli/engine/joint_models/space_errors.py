@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from flexcli.formulas.card import Range
 from flexcli.formulas.clamped_star import stiffer_across
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
-from flexcli.mechanics.space.exact.assembly import UNTURNED
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import (
     conjugate,
@@ -24,7 +23,7 @@ from flexcli.mechanics.space.exact.rotation import (
     vector_of,
 )
 from flexcli.mechanics.space.exact.stresses import section_states
-from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod, SpaceStar, Vector
+from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod, SpaceStar
 from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.springs import MemberSprings, springs_of
 
@@ -462,10 +461,10 @@ def _cancelled(state: SpaceEquilibrium) -> float:
 
 def _bend(state: SpaceEquilibrium, blade: SpaceBlade | SpaceRod) -> Bend:
     """Return how far a blade or rod is deformed in a state; a rod bends in any direction."""
-    first, second = _turn(state, blade.first), _turn(state, blade.second)
+    first, second = state.quaternion(blade.first), state.quaternion(blade.second)
     l, axes = _length(blade), blade.axes
     apart = np.subtract(blade.end, blade.start)
-    shifted = _shift(state, blade.second, blade.end) - _shift(state, blade.first, blade.start)
+    shifted = state.shift_of(blade.second, blade.end) - state.shift_of(blade.first, blade.start)
     missed = state.part.demand.off(state.part.share)
     if missed is not None and state.layout.blades[missed.blade] is blade:
         shifted = shifted + matrix_of(second) @ missed.offset[:3]
@@ -484,17 +483,3 @@ def _bend(state: SpaceEquilibrium, blade: SpaceBlade | SpaceRod) -> Bend:
 
 def _length(blade: SpaceBlade | SpaceRod) -> float:
     return float(np.linalg.norm(np.subtract(blade.end, blade.start)))
-
-
-def _turn(state: SpaceEquilibrium, body: str) -> Floats:
-    """Return the rotation of a body as a quaternion; the ground has none."""
-    if body not in {each.name for each in state.layout.bodies}:
-        return UNTURNED
-    return state.quaternion(body)
-
-
-def _shift(state: SpaceEquilibrium, body: str, point: Vector) -> Floats:
-    """Return how far a point moved; those of the ground do not."""
-    if body not in {each.name for each in state.layout.bodies}:
-        return np.zeros(3)
-    return state.motion_of(body, point)[:3]

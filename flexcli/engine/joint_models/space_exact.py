@@ -27,7 +27,6 @@ from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
     BEAMS,
-    Blades,
     Loads,
     at_travel,
     driven_coordinate,
@@ -320,10 +319,7 @@ class SpaceExactModel(SpaceLinearModel):
             Where the loads make it lose its stability on their way.
 
         """
-        joint = joint_of(ask)
-        groups = [loads_of(joint, each) for each in acting_groups(joint, ask.scene)]
-        for signs in product((1.0, -1.0), repeat=len(groups)):
-            loads = tuple(signed(groups, signs))
+        for signs, loads in _senses(ask):
             try:
                 ends = self._ends(ask, loads)
             except (NotAvailable, SolveError):
@@ -334,14 +330,11 @@ class SpaceExactModel(SpaceLinearModel):
 
     def _bends(self, ask: Ask) -> Iterator[float]:
         """Yield, sense by sense of the loads, what loads and stroke bend of what they stress."""
-        joint = joint_of(ask)
-        groups = [loads_of(joint, each) for each in acting_groups(joint, ask.scene)]
         rest = self._largest_at_ends(ask)
         less = None
         if ask.scene.moves and ask.scene.temperature is None:  # that stresses without a stroke
             less = self._largest_at_ends(ask, stroke=1.0 - FURTHER)
-        for signs in product((1.0, -1.0), repeat=len(groups)):
-            loads = tuple(signed(groups, signs))
+        for _, loads in _senses(ask):
             raised = tuple(load.times(1.0 + FURTHER) for load in loads)
             here, further = (self._largest_at_ends(ask, each) for each in (loads, raised))
             yield float(np.max(bent_by_forces(rest, less, here, further)))
@@ -359,7 +352,8 @@ class SpaceExactModel(SpaceLinearModel):
     ) -> ErrorRange | None:
         """Return an error with what a number changes from the level before."""
         try:
-            most = _most_off(self._ends(ask), self.blades, error, number)
+            ends = self._ends(ask)
+            most = _most_off(ends, [self.blades.errors(state) for state in ends], error, number)
         except (NotAvailable, SolveError):
             return None
         return None if most is None else ErrorRange(-most, most)
@@ -409,7 +403,7 @@ class SpaceExactModel(SpaceLinearModel):
                 # of hinges beams know no stress, whatever bends them
                 in_vain = any(each is None or not isfinite(each.stress) for each in told)
                 known = _most_off(
-                    ends, self.blades,
+                    ends, told,
                     partial(StrokeErrors.stress_of, bent=0.0 if in_vain else next(bends)),
                     lambda state: self.largest_stress(state)[0],
                 )  # fmt: skip
@@ -443,16 +437,27 @@ def _may_turn_aside(joint: SpaceJoint, scene: Scene) -> bool:
     return False
 
 
+def _senses(ask: Ask) -> Iterator[tuple[tuple[float, ...], Loads]]:
+    """Yield the signs of the loads of a case, each of which acts either way, and all so."""
+    joint = joint_of(ask)
+    groups = [loads_of(joint, each) for each in acting_groups(joint, ask.scene)]
+    for signs in product((1.0, -1.0), repeat=len(groups)):
+        yield signs, tuple(signed(groups, signs))
+
+
 def _most_off(
     states: Iterable[SpaceEquilibrium],
-    blades: Blades,
+    errors: Iterable[StrokeErrors | None],
     error: Callable[[StrokeErrors], float],
     number: Callable[[SpaceEquilibrium], float],
 ) -> float | None:
-    """Return the largest error of a number in states, with what it changes from level to level."""
+    """Return the largest error of a number in states, with what it changes from level to level.
+
+    ``errors`` are those of the states.
+    """
     most = 0.0
-    for state in states:
-        found, known = number(state), blades.errors(state)
+    for state, known in zip(states, errors, strict=True):
+        found = number(state)
         if state.coarser is None or known is None or found == 0.0:
             return None
         most = max(most, abs(number(state.coarser) / found - 1.0) + error(known))

@@ -7,14 +7,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.joint_models.joint_states import state_of
+from flexcli.engine.joint_models.joint_states import states_of
 from flexcli.engine.solid.calculix import Printed
 from flexcli.engine.solid.deck import Deck, State, states_deck
 from flexcli.engine.solid.deck_model import MM, MPA
 from flexcli.engine.solid.model import SolidModel, Stretch, solid_model
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Layout, Load
-from flexcli.mechanics.mesh import column
 
 __all__ = ["FaceStress", "Runner", "SolidStates", "solid_states"]
 
@@ -69,7 +68,7 @@ def solid_states(
     ``stiffness`` is that of :func:`solid_model`.
     """
     model = solid_model(layout, fineness=fineness, is_half=True, stiffness=stiffness)
-    states = _states(held, loads)
+    states = [State(*each) for each in states_of(held, loads)]
     deck = states_deck(model, states, is_linear=is_linear)
     printed = runner(deck)
     moved, forces = list(printed.tables("displacements")), list(printed.tables("forces"))
@@ -82,14 +81,6 @@ def solid_states(
             force = np.array([*forces[i][ref][:2], forces[i][rot][2] / MM])
             reactions[i, k] = force / model.share
     return SolidStates(model, motions, reactions, printed)
-
-
-def _states(held: Held, loads: Sequence[Load]) -> list[State]:
-    """Return the states one by one."""
-    numbers = [v for motion in held.values() for v in motion if v is not None]
-    numbers += [x for load in loads for x in (*load.force, load.moment)]
-    count = max((column(x).size for x in numbers), default=1)
-    return [State(*state_of(held, loads, i)) for i in range(count)]
 
 
 def _face_stress(

@@ -107,8 +107,12 @@ class Factor(NamedTuple):
         """Return it as a change; with an unknown ν, taken as ½, its value is a bound."""
         if not nu_known:
             return Change(None, self.high - 1.0, 0.0, 1)
-        error = larger(self.high - self.value, self.value - self.low) / self.value
-        return Change(self.value - 1.0, self.high - 1.0, error, other=self.other)
+        return Change(self.value - 1.0, self.high - 1.0, self.off, other=self.other)
+
+    @property
+    def off(self) -> float:
+        """Return by how much the value may be off, to its farther end [-]."""
+        return larger(self.high - self.value, self.value - self.low) / self.value
 
 
 def hull(factors: Iterable[Factor], at: Factor | None = None) -> Factor:

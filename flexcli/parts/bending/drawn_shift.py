@@ -271,9 +271,8 @@ class _Joint:
                 TURN: blade_factor(plates.pure_bending_factor, own, nu),
             }
             for spring, factor in solid.items():
-                off = max(factor.high / factor.value - 1.0, 1.0 - factor.low / factor.value)
-                if off < known[k, spring]:
-                    known[k, spring] = off
+                if factor.off < known[k, spring]:
+                    known[k, spring] = factor.off
                     scales[6 * k + spring] = factor.value / drawn[k, spring]
         return _Joint(self.assembly.scaled(scales), self.blades, turns=self.turns), known
 

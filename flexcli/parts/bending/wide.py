@@ -350,9 +350,7 @@ def _pivot_across(blade: Blade, nu: float, delta: float, half_angle: float) -> W
     ) / cos(half_angle)
     bent = blade_factor(plates.guided_factor, blade, nu)
     axial = along_factor(blade, nu)
-    off = sum(
-        larger(each.high / each.value - 1.0, 1.0 - each.low / each.value) for each in (bent, axial)
-    )
+    off = bent.off + axial.off
     stiffer = bent.value / axial.value
     kappa = (h / l) ** 2 / (1.0 + shear_of(blade, nu)) / tan(half_angle) ** 2
     change = stiffer * (1.0 + kappa) / (1.0 + stiffer * kappa) - 1.0

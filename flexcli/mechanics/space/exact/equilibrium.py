@@ -149,7 +149,9 @@ class SpaceEquilibrium:
         return np.asarray(held.reshape(-1, 6) * unit)
 
     def quaternion(self, body: str) -> Floats:
-        """Return the rotation of a body as a quaternion of unit length (4,)."""
+        """Return the rotation of a body as a unit quaternion (4,); the ground has none."""
+        if not self._moves(body):
+            return UNTURNED
         turn = self.part.assembly.split(self.part.x).turn[self.layout.index(body)]
         return np.asarray(turn / np.linalg.norm(turn))
 
@@ -162,6 +164,13 @@ class SpaceEquilibrium:
         arm = np.asarray(point) - assembly.points[i] * assembly.length + grown
         shift = at.shift[i] * assembly.length + grown + moved(at.turn[i], arm)
         return np.concatenate([shift, vector_of(at.turn[i])])
+
+    def shift_of(self, body: str, point: Vector) -> Floats:
+        """Return how far a point of a body moved [m] (3,); those of the ground do not."""
+        return self.motion_of(body, point)[:3] if self._moves(body) else np.zeros(3)
+
+    def _moves(self, body: str) -> bool:
+        return any(each.name == body for each in self.layout.bodies)
 
 
 class _InSpace(NamedTuple):
