@@ -33,6 +33,7 @@ LAYERS = {
     "study": BASE | {"numerics", "parts", "api"},
     "cli": BASE | {"parts", "spec", "engine", "report", "api", "study"},
     "": {"api"},
+    "__main__": {"cli"},
 }
 """What each package may import, besides itself (the table of the design, layer by layer)."""
 

@@ -1,6 +1,5 @@
 """The ``flexure`` command: its verbs, and the edge where a mistake or a bug becomes a code."""
 
-import gc
 import os
 import sys
 import traceback
@@ -18,9 +17,6 @@ from flexcli.cli.output import Format, any_stream, asked_format, write_failure
 __all__ = ["command_line", "main"]
 
 EXIT_BUG = 101
-
-GARBAGE_THRESHOLD = 100_000
-"""New objects between searches for garbage; Python's own 700 cost a twentieth of a short run."""
 
 EXIT_CODES = (
     "Exit codes: 0 passed; 1 the design fails, is infeasible or undecided, or the run was "
@@ -130,11 +126,6 @@ def _for_machines(app: typer.Typer, style: Format) -> int:
 
 def main() -> None:
     """Run the command line; what nobody foresaw is a bug and says so."""
-    gc.set_threshold(GARBAGE_THRESHOLD)
-    # pydantic would read the metadata of every installed package to look for plugins
-    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
-    # matrices are small: threads that wait for each other take many times as long as one alone
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     any_stream()
     style = asked_format(sys.argv[1:])
     try:
@@ -149,5 +140,3 @@ def main() -> None:
         if style is not Format.TEXT:
             write_failure(style, f"a bug of ours: {type(error).__name__}: {error}")
         sys.exit(EXIT_BUG)
-    finally:
-        gc.freeze()  # the end of the process need not search all that was imported

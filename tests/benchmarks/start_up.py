@@ -22,7 +22,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 EXAMPLE = EXAMPLES / "rocket-parallel-stage" / "flexure.yaml"
 REPEATS = 9
 ENVIRONMENT = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
-MAIN = "from flexcli.cli.app import main; main()"
+MAIN = "from flexcli.__main__ import main; main()"
 
 
 def pair(first, second):

@@ -6,12 +6,11 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from flexcli.engine.joint_models.remembered import Remembered
-from flexcli.engine.joint_models.wide_under_force import change_by_loads
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
-from flexcli.parts.effects.plate import flattest, pulled, stretched
+from flexcli.parts.effects.plate import change_by_loads, flattest, pulled, stretched
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import (

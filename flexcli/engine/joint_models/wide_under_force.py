@@ -1,24 +1,19 @@
 """What a force along a wide blade changes in the factor by which plates raise its stress."""
 
-from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.beam_column import uniform_bending
 from flexcli.formulas.plates_under_force import s_under_force, under_force
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.sheet_factors import axial_factor
 from flexcli.mechanics.layout import Blade
 from flexcli.mechanics.stresses import BladeStress
-from flexcli.numerics.rows import larger, number, smaller, states_of
-from flexcli.parts.effects import Setting
-from flexcli.parts.effects.axial_load import largest_load
+from flexcli.numerics.rows import number, states_of
 from flexcli.parts.requirements import Ask, WideFactor
-from flexcli.results import ErrorRange
 
-__all__ = ["StateFactors", "change_by_loads", "factors_of_states"]
+__all__ = ["StateFactors", "factors_of_states"]
 
 Floats = NDArray[np.float64]
 
@@ -80,28 +75,3 @@ def _of_states(value: Any) -> Floats:
     """Return a number of one design, or those of many as (states, designs) or (1, designs)."""
     found = np.asarray(value, dtype=np.float64)
     return states_of(found.ravel()) if found.ndim else found
-
-
-def change_by_loads(setting: Setting) -> ErrorRange:
-    """Return by how much a force along the blades changes a factor at a travel, either way.
-
-    They are bent to an arc, to an S or to what is between. Of blades that differ it says nothing.
-    """
-    n, blade = largest_load(setting), setting.blade
-    if n == 0.0 or blade is None:
-        return ErrorRange(0.0, 0.0)
-    low = high = 1.0
-    for pull, (last, rest) in product((n, -n), ((1.0, 1.0), (-1.0, 0.0))):
-        least, most = under_force(
-            first=1.0,
-            last=last,
-            mean=rest / uniform_bending(pull),
-            n=pull,
-            b=blade.b,
-            l=blade.l,
-            poisson_ratio=setting.poisson_bound,
-            h=blade.h,
-            grows=False,
-        )
-        low, high = smaller(low, number(least)), larger(high, number(most))
-    return ErrorRange(low - 1.0, high - 1.0)

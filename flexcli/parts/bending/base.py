@@ -10,6 +10,7 @@ from flexcli.results import ErrorRange
 
 __all__ = [
     "FLOOR",
+    "NOTCH_PULLED",
     "PULLED",
     "SHORTEST",
     "UNEVEN",
@@ -63,6 +64,11 @@ at sharp notches."""
 PULLED = 0.25
 """Part of the change of a wide blade's stiffness by which its stress under forces may differ: solid
 blades stretched by a force had 1 % more, at b/l = 0.6, where the stiffness has 9 %."""
+
+NOTCH_PULLED = 1.3
+"""Part of the change of stiffness by which the stress of a force along a notch may differ, largest
+in the middle of its width: solids of e/r 0.03 to 0.35, b/e 1 to 40 and ν up to 0.45 had 0.4 to 1.2
+of it, up to 0.088 of the stress in all."""
 
 
 SHORTEST = 4.0

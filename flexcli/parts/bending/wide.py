@@ -13,7 +13,15 @@ from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
 from flexcli.numerics.rows import cos, larger, number, one_alone, tan
-from flexcli.parts.bending.base import PULLED, SHORTEST, Factor, WideAcross, WideBlades, hull
+from flexcli.parts.bending.base import (
+    NOTCH_PULLED,
+    PULLED,
+    SHORTEST,
+    Factor,
+    WideAcross,
+    WideBlades,
+    hull,
+)
 from flexcli.parts.bending.plate_range import (
     HINGED,
     LOCKED,
@@ -30,7 +38,6 @@ from flexcli.parts.bending.plate_range import (
     shear_of,
     shortening,
 )
-from flexcli.parts.bending.wide_notch import NOTCH_PULLED
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 if TYPE_CHECKING:

@@ -9,12 +9,12 @@ from flexcli.formulas.profile import Notch
 from flexcli.formulas.quantity import Numbers
 from flexcli.formulas.section import second_moment
 from flexcli.numerics.rows import Number, larger, number, one_by_one, smaller
-from flexcli.parts.bending.base import SHORTEST, Factor, WideBlades, hull
+from flexcli.parts.bending.base import NOTCH_PULLED, SHORTEST, Factor, WideBlades, hull
 
 if TYPE_CHECKING:
     from flexcli.formulas.profile import Profile
 
-__all__ = ["LIMBS_BUCKLED", "NOTCH_PULLED", "wide_notch"]
+__all__ = ["LIMBS_BUCKLED", "wide_notch"]
 
 RITZ_ERROR = 1e-3
 """Largest error of a plate solved by Ritz's method with few functions [-]."""
@@ -23,11 +23,6 @@ LIMBS_BUCKLED = 0.06
 """Part of what a notch in pure bending widens by, by which notches at the ends of a limb may differ
 as it buckles: plates with a rigid middle of any length, e/r 0.005 to 0.8, had 0.05 at most as the
 limb sways, and 0.045 less under a moment that is odd about the throat."""
-
-NOTCH_PULLED = 1.3
-"""Part of the change of stiffness by which the stress of a force along a notch may differ, largest
-in the middle of its width: solids of e/r 0.03 to 0.35, b/e 1 to 40 and ν up to 0.45 had 0.4 to 1.2
-of it, up to 0.088 of the stress in all."""
 
 STRETCHED, STRETCHED_FROM = 0.24, 0.33
 STRETCHED_LEAST, NARROWEST, WIDEST, SHORT = 0.55, 0.75, 4.0, 0.6

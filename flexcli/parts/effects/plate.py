@@ -1,19 +1,24 @@
 """Plate widening: a wide blade cannot curl across its width and is stiffer than a beam."""
 
+from itertools import product
 from math import inf
 from typing import ClassVar
 
+from flexcli.formulas.beam_column import uniform_bending
 from flexcli.formulas.plate_factors import bound
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
+from flexcli.formulas.plates_under_force import under_force
 from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending import Change, Changes, Factor, WideAcross, WideBlades
 from flexcli.parts.bending.base import UNEVEN
 from flexcli.parts.bending.wide import wide_guided
 from flexcli.parts.effect_names import EffectName
+from flexcli.parts.effects.axial_load import largest_load
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
+from flexcli.results import ErrorRange
 
-__all__ = ["PlateWidening", "flattest", "pulled", "stretched", "wide_of"]
+__all__ = ["PlateWidening", "change_by_loads", "flattest", "pulled", "stretched", "wide_of"]
 
 LEADS = 1.5
 """Ratio of the shift to its leading term up to which both change alike."""
@@ -226,3 +231,28 @@ def _shift(value: float, error: float, setting: Setting, known: bool) -> Change:
         whole = larger(whole, abs(1.0 + next_order.value))
     bound = (abs(value) + error) / whole
     return Change(value, bound, error) if known and whole <= LEADS else Change(None, bound)
+
+
+def change_by_loads(setting: Setting) -> ErrorRange:
+    """Return by how much a force along the blades changes a factor at a travel, either way.
+
+    They are bent to an arc, to an S or to what is between. Of blades that differ it says nothing.
+    """
+    n, blade = largest_load(setting), setting.blade
+    if n == 0.0 or blade is None:
+        return ErrorRange(0.0, 0.0)
+    low = high = 1.0
+    for pull, (last, rest) in product((n, -n), ((1.0, 1.0), (-1.0, 0.0))):
+        least, most = under_force(
+            first=1.0,
+            last=last,
+            mean=rest / uniform_bending(pull),
+            n=pull,
+            b=blade.b,
+            l=blade.l,
+            poisson_ratio=setting.poisson_bound,
+            h=blade.h,
+            grows=False,
+        )
+        low, high = smaller(low, number(least)), larger(high, number(most))
+    return ErrorRange(low - 1.0, high - 1.0)
