@@ -1,31 +1,30 @@
 """The verb size: choose the free dimensions, then judge the chosen design like any other."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from time import perf_counter
 
 from flexcli.engine.check import judged
 from flexcli.engine.judge import judge
 from flexcli.engine.models import NamedModel, model_series
-from flexcli.engine.sizing.balanced import Balanced, NotBalanced, balanced
+from flexcli.engine.sizing.choice import ON_GRID, Choice, choose, design_of, nothing_free, told
 from flexcli.engine.sizing.conflict import explain_conflict
 from flexcli.engine.sizing.decided import judged_at
 from flexcli.engine.sizing.free_height import best_height, with_height
-from flexcli.engine.sizing.optimum import active_rows, certificate, optimum, refuse, sensitivities
+from flexcli.engine.sizing.optimum import optimum
 from flexcli.engine.sizing.problem import SizingProblem
 from flexcli.engine.sizing.program import SizingProgram, sizing_program
 from flexcli.engine.sizing.runaway import refuse_runaway
 from flexcli.engine.sizing.scouting import best_settled
-from flexcli.engine.sizing.stock import StockChoice, from_stock, points_about
+from flexcli.engine.sizing.stock import points_about
 from flexcli.engine.sizing.trust_region import AGREED, UNKNOWN, Settled, least_eased
-from flexcli.errors import NoSolution, Outcome
-from flexcli.numerics.solution import Solution
+from flexcli.errors import NoSolution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.sizing import Correction, Objective
+from flexcli.parts.sizing import Correction
 from flexcli.results import Cost, Note, Result, Status, Value, Verdict
 from flexcli.results.activity import doing
-from flexcli.results.sizing import Design, SizingResult
+from flexcli.results.sizing import SizingResult
 from flexcli.units import DIMENSIONS
 
 __all__ = ["UNSETTLED", "size"]
@@ -56,12 +55,6 @@ SLOPES = (
 GRID_ROUNDS = 6
 """Grid points that the models that judge may refuse before those about the design without a grid
 are judged one by one."""
-
-ON_GRID = "on the grid"
-"""What a design on the grid is called among those that are compared."""
-
-LARGE_SENSITIVITY = 3.0
-"""Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
 
 
 def size(
@@ -226,11 +219,11 @@ def _rounded_anew(
             before = tuple(each for each in sizing.remarks if not each.startswith("grid:"))
             sizing = replace(
                 sizing,
-                designs=(*kept, _design(design, ON_GRID, sizes)),
+                designs=(*kept, design_of(design, ON_GRID, sizes)),
                 remarks=(*before, "grid: a point beside the best one, which passes"),
             )
             ideal = sizes._replace(**{n: first.values[f"{n}_ideal"].value for n in program.names})
-            return _judged(design, spec, _Choice(sizes, sizing, ideal), series, model)
+            return _judged(design, spec, Choice(sizes, sizing, ideal), series, model)
     return first
 
 
@@ -270,7 +263,7 @@ def _first(problem: SizingProblem, near: Mapping[str, float] | None) -> Sizes | 
     doing("the optimum by the formulas")
     free = design.model_copy(update={"size": design.sizing.model_copy(update={"rounding": {}})})
     program = sizing_program(problem._replace(design=free))
-    chosen = _choose(free, program)
+    chosen = choose(free, program)
     if chosen is not None:
         refuse_runaway(design, chosen.sizes)
         return _ideal(chosen)
@@ -297,14 +290,14 @@ def _settled_and_judged(
         return _chosen_and_judged(corrected, spec, series, model, program)
     if found.unsettled and found.is_kept and not design.sizing.rounding:
         # beside it may be what no model knows the error of
-        ended = (_design(design, "where it ended", found.place.sizes),)
-        sizing = SizingResult(_told(design.sizing.objective), _unsure(found), designs=ended)
-        return _judged(design, spec, _Choice(found.place.sizes, sizing), series, model)
+        ended = (design_of(design, "where it ended", found.place.sizes),)
+        sizing = SizingResult(told(design.sizing.objective), _unsure(found), designs=ended)
+        return _judged(design, spec, Choice(found.place.sizes, sizing), series, model)
     program = program.about(found.place.sizes, REGION)
     return _chosen_and_judged(corrected, spec, series, model, program, found)
 
 
-def _ideal(chosen: "_Choice") -> Sizes:
+def _ideal(chosen: Choice) -> Sizes:
     sizes = chosen.sizes if chosen.ideal is None else chosen.ideal
     return sizes._make(float(x) for x in sizes)
 
@@ -323,9 +316,9 @@ def _chosen_and_judged(
     """
     design, given = problem.design, problem.design.fixed_sizes()
     if given is not None:
-        return _judged(design, spec, _Choice(given, _nothing_free()), series, model)
+        return _judged(design, spec, Choice(given, nothing_free()), series, model)
     program = program or sizing_program(problem)
-    chosen = _choose(design, program)
+    chosen = choose(design, program)
     if chosen is None:
         return _infeasible(design, spec, program, alone)
     refuse_runaway(design, chosen.sizes)
@@ -361,204 +354,10 @@ def _starts(found: Settled) -> str:
     return f"{found.starts} start{'s' * (found.starts > 1)}"
 
 
-@dataclass(frozen=True, eq=False)
-class _Choice:
-    """A chosen blade and how it was found."""
-
-    sizes: Sizes
-    sizing: SizingResult
-    ideal: Sizes | None = None
-    notes: tuple[Note, ...] = ()
-    iterations: int = 0
-    failed_grid: bool = False
-
-
-def _nothing_free() -> SizingResult:
-    return SizingResult("none: every size is given", "nothing to choose")
-
-
-def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
-    """Return the chosen design, or nothing when the requirements conflict."""
-    smallest = optimum(program, "least-volume")
-    if smallest.outcome is Outcome.INFEASIBLE:
-        return None
-    if design.sizing.objective == "balanced":
-        return _choose_balanced(design, program, smallest)
-    return _choose_optimum(design, program, smallest, design.sizing.objective)
-
-
-def _choose_optimum(
-    design: DesignSpec, program: SizingProgram, smallest: Solution, objective: Objective
-) -> _Choice:
-    name = _told(objective)
-    solution = smallest if name == "least-volume" else optimum(program, objective)
-    refuse(program, objective, solution, smallest)
-    remarks = []
-    if solution.tied:
-        remarks.append(
-            "the optimum is not unique: of all equally good designs this one has the least "
-            "volume, then the shortest, narrowest and thinnest blades"
-        )
-    slopes = sensitivities(program, objective, solution)
-    if slopes is None:
-        remarks.append(
-            "no sensitivities: what holds the optimum does not move it alike when demands grow "
-            "and when they fall"
-        )
-    sizing = SizingResult(
-        objective=name,
-        certificate=_certificate(program, certificate(program, solution)),
-        active=active_rows(program, solution),
-        sensitivities=slopes or (),
-        remarks=tuple(remarks),
-    )
-    others = [] if name == "least-volume" else _least_volume(design, program, smallest)
-    return _on_grid(
-        design, program, sizing, program.complete(solution.x), objective, others,
-        iterations=solution.iterations, label="optimum",
-    )  # fmt: skip
-
-
-def _least_volume(design: DesignSpec, program: SizingProgram, smallest: Solution) -> list[Design]:
-    """Return the design of least volume to compare with, where there is one."""
-    if (
-        not smallest.converged or program.problem.is_corrected
-    ):  # corrected near the choice, not there
-        return []
-    return [_design(design, "least volume", program.complete(smallest.x))]
-
-
-def _told(objective: Objective) -> str:
-    """Return an objective in words."""
-    return objective if isinstance(objective, str) else _spoken(objective.model_dump())
-
-
-def _spoken(objective: Mapping[str, str | None]) -> str:
-    return " ".join(f"{verb} {name}" for verb, name in objective.items() if name)
-
-
-def _choose_balanced(design: DesignSpec, program: SizingProgram, smallest: Solution) -> _Choice:
-    found = balanced(program)
-    if isinstance(found, NotBalanced):
-        chosen = _choose_optimum(design, program, smallest, "least-volume")
-        text = f"no balanced design: {found.reason}; sized for least volume instead"
-        return replace(chosen, notes=(*chosen.notes, Note("no-balanced-design", text)))
-    ideal = program.complete(found.x)
-    least = _least_volume(design, program, smallest)
-    remarks = []
-    if not smallest.converged:
-        remarks = ["there is no least volume to compare with: nothing holds it"]
-    if least:
-        more = _volume(design, ideal) / least[0].volume - 1.0
-        remarks = [f"the balanced design has {more:z.1%} more volume than the least volume"]
-    if found.others:
-        several = "designs exist" if found.others > 1 else "design exists"
-        remarks.append(f"{found.others} other balanced {several}; this is the smallest")
-    sizing = SizingResult(
-        objective="balanced",
-        certificate=_certificate(
-            program, "root of the square system" if found.is_square else "least volume on the rest"
-        ),
-        active=found.active,
-        sensitivities=found.sensitivities,
-        remarks=tuple(remarks),
-    )
-    chosen = _on_grid(design, program, sizing, ideal, None, least, iterations=0, label="balanced")
-    return replace(chosen, notes=(*chosen.notes, *_conditioning(found)))
-
-
-def _certificate(program: SizingProgram, found: str) -> str:
-    """Return how sure a choice is, and of which model."""
-    if not program.problem.is_corrected:
-        return found
-    return f"{found}, by the formulas corrected in value and slope to the models that judge"
-
-
-def _conditioning(found: Balanced) -> tuple[Note, ...]:
-    largest = max((abs(v) for s in found.sensitivities for v in s.on.values()), default=0.0)
-    if largest < LARGE_SENSITIVITY:
-        return ()
-    text = (
-        f"the balanced design is ill-conditioned: 1 % more demand moves a size by {largest:.1f} %"
-    )
-    return (Note("ill-conditioned", text),)
-
-
-def _on_grid(
-    design: DesignSpec,
-    program: SizingProgram,
-    sizing: SizingResult,
-    ideal: Sizes,
-    objective: Objective | None,
-    others: list[Design],
-    *,
-    iterations: int,
-    label: str,
-) -> _Choice:
-    """Return the choice as it can be made: on the grid where the spec has one.
-
-    Without an objective the point nearest to the ideal blade is taken.
-    """
-    grids = {name: grid for name, grid in design.sizing.rounding.items() if name in program.names}
-    designs = [_design(design, label, ideal), *others]
-    if not grids:
-        return _Choice(ideal, replace(sizing, designs=tuple(designs)), iterations=iterations)
-    centre = {name: float(getattr(ideal, name)) for name in program.names}
-    goals = None if objective is None else program.objectives(objective)
-    doing("the best point of the grid")
-    point = from_stock(replace(program, around=None), grids, goals, centre)
-    if point.x is None:
-        text = "the manufacturing grid has no feasible design"
-        if not point.proved:
-            text = "no feasible design was found on the manufacturing grid"
-        note = Note("no-grid-point", f"{text}: take a finer grid or more stock sizes")
-        designed = replace(sizing, designs=tuple(designs))
-        return _Choice(ideal, designed, ideal, (note,), iterations, True)
-    blade = program.complete(point.x)
-    designs.append(_design(design, ON_GRID, blade))
-    return _Choice(
-        blade,
-        replace(
-            sizing,
-            designs=tuple(designs),
-            remarks=(*sizing.remarks, _grid_remark(design, blade, ideal, point, objective)),
-        ),
-        ideal,
-        iterations=iterations,
-    )
-
-
-def _grid_remark(
-    design: DesignSpec,
-    blade: Sizes,
-    ideal: Sizes,
-    point: StockChoice,
-    objective: Objective | None,
-) -> str:
-    what = "of the least objective" if objective else "nearest to the balanced design"
-    price = _volume(design, blade) / _volume(design, ideal) - 1.0
-    sure = "proved" if point.proved else "best of those searched"
-    return (
-        f"grid: the feasible point {what} ({sure}, {point.judged} judged); "
-        f"it costs {price:+z.1%} volume"
-    )
-
-
-def _design(design: DesignSpec, label: str, blade: Sizes) -> Design:
-    sizes = {name: float(x) for name, x in blade._asdict().items()}
-    return Design(label, sizes, _volume(design, blade))
-
-
-def _volume(design: DesignSpec, sizes: Sizes) -> float:
-    """Return the volume of what flexes [m³]."""
-    geometry, drawn = design.geometry.drawn(sizes)
-    return float(geometry.volume(drawn))
-
-
 def _judged(
     design: DesignSpec,
     spec: str,
-    chosen: _Choice,
+    chosen: Choice,
     series: tuple[NamedModel, ...],
     model: str | None,
 ) -> Result:
@@ -578,7 +377,7 @@ def _judged(
     )
 
 
-def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
+def _sized_values(design: DesignSpec, chosen: Choice) -> dict[str, Value]:
     """Return the chosen dimensions, and what they were before rounding."""
     model, geometry = "sized", design.geometry
     units = {name: DIMENSIONS[geometry.dimension(name)].si for name in geometry.free}
@@ -633,7 +432,7 @@ def _infeasible(
         title=design.title,
         cost=Cost(0.0, "closed-form" if alone is None else "linear, exact", None),
         sizing=SizingResult(
-            objective=_told(design.sizing.objective),
+            objective=told(design.sizing.objective),
             certificate=sure,
             conflict=conflict,
         ),
