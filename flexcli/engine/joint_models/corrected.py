@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from math import inf
-from typing import TYPE_CHECKING
 
+from flexcli.engine.joint_models.built_on import BuiltOn
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
@@ -15,19 +15,12 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import (
     Ask,
-    CriticalShare,
     DriveEffort,
     EndStress,
     JointModel,
-    MisfitStress,
-    Told,
 )
 from flexcli.parts.scene import Scene
 from flexcli.results import EXACT, ErrorRange, QuantityKind
-
-if TYPE_CHECKING:
-    from flexcli.mechanics.space.springs import MemberSprings
-    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["Corrected"]
 
@@ -45,7 +38,7 @@ NOTHING_BORNE = 0.0, 0.0, 0.0
 """What no loads make of an effort, by beams, by a joint as stiff, and its error."""
 
 
-class Corrected(JointModel):
+class Corrected(BuiltOn):
     """The answers of a model times one factor an effect, and what is left to be off by.
 
     An effect whose value nobody knows, or that lacks a property of the material, corrects
@@ -82,10 +75,6 @@ class Corrected(JointModel):
             if any(change.value is not None for change in effect.changes(setting).values())
         }
         return frozenset(self.inner.covers | self.inner.always | known) - lacking
-
-    def springs(self, ask: Ask, *, in_plane: bool) -> "tuple[MemberSprings, ...] | None":
-        """Return those of the inner model."""
-        return self.inner.springs(ask, in_plane=in_plane)
 
     def may_know(self, ask: Ask, kind: QuantityKind) -> bool:
         """Return whether the effects leave an error, whatever the inner model may carry."""
@@ -189,10 +178,6 @@ class Corrected(JointModel):
                 return 0.0 if change is None else change.bound
         return 0.0
 
-    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
-        """Return that of the model: it is in its errors what it leaves out."""
-        return self.inner.envelope(ask)
-
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
         return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG)
@@ -290,40 +275,12 @@ class Corrected(JointModel):
         both = (e for e in self.effects if e.name not in carried)
         return next((e for e in both if e.name is EffectName.PLATE_WIDENING), None)
 
-    def support_at_stroke(
-        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
-    ) -> tuple[tuple[float, ErrorRange | None], ...]:
-        """Return the support stiffness at both ends of the stroke, which needs no correction."""
-        return self.inner.support_at_stroke(ask, index, point, locked=locked)
-
-    def warm_support_ratio(
-        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
-    ) -> Told:
-        """Return that of the inner model."""
-        return self.inner.warm_support_ratio(ask, index, point, locked=locked)
-
-    def deflections(
-        self, ask: Ask, point: tuple[float, float, float], direction: str
-    ) -> tuple[tuple[float, ErrorRange | None], ...]:
-        """Return those of the inner model, which need no correction."""
-        return self.inner.deflections(ask, point, direction)
-
-    def misfit_stresses(
-        self, ask: Ask, small: Sequence[MisfitStress]
-    ) -> Iterator[tuple[Told, str]]:
-        """Yield those of the inner model, which need no correction."""
-        return self.inner.misfit_stresses(ask, small)
-
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the critical forces, those in the plane corrected by what they do not carry."""
         found = (self._corrected(ask, c) for c in self.inner.critical(ask))
         if not ask.scene.is_accelerated:
             return tuple(found)
         return tuple(_with_weight(ask, critical) for critical in found)
-
-    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
-        """Return the shares of the loads that buckle it; their errors have what is not carried."""
-        return self.inner.critical_shares(ask)
 
     def _corrected(self, ask: Ask, critical: Critical) -> Critical:
         if critical.way == ACROSS_WIDTH:

@@ -7,11 +7,11 @@ exact beams in space take all of a case together. So they do where what acts in 
 body, as blades stand side by side.
 """
 
-from collections.abc import Iterator, Sequence
 from functools import partial
 from math import inf
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
+from flexcli.engine.joint_models.built_on import BuiltOn
 from flexcli.engine.joint_models.leaving_plane import leaving_plane
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
@@ -29,17 +29,12 @@ from flexcli.parts.requirements import (
     DriveEffort,
     EndStress,
     JointModel,
-    MisfitStress,
     Swing,
-    Told,
 )
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import AcrossStress, across_stress
 from flexcli.parts.tilted_joint import Tilt, least_frequency, tilt_of
 from flexcli.results import ErrorRange, QuantityKind
-
-if TYPE_CHECKING:
-    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["OutOfPlane"]
 
@@ -79,7 +74,7 @@ class _Parts(NamedTuple):
         return max((abs(float(s.largest)) for s in self.planar), default=0.0)
 
 
-class OutOfPlane(JointModel):
+class OutOfPlane(BuiltOn):
     """A planar model with the stress of the loads out of the plane added."""
 
     def __init__(self, inner: JointModel) -> None:
@@ -153,37 +148,9 @@ class OutOfPlane(JointModel):
         """Return the planar model's, which has those along z."""
         return self.inner.sags(ask)
 
-    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
-        """Return the planar model's."""
-        return self.inner.envelope(ask)
-
-    def support_at_stroke(
-        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
-    ) -> tuple[tuple[float, ErrorRange | None], ...]:
-        """Return those of the inner model: no other load of a case counts in them."""
-        return self.inner.support_at_stroke(ask, index, point, locked=locked)
-
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the planar model's."""
         return self.inner.parasitic_shift(ask)
-
-    def warm_support_ratio(
-        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
-    ) -> Told:
-        """Return that of the inner model."""
-        return self.inner.warm_support_ratio(ask, index, point, locked=locked)
-
-    def deflections(
-        self, ask: Ask, point: tuple[float, float, float], direction: str
-    ) -> tuple[tuple[float, ErrorRange | None], ...]:
-        """Return those of the inner model, which need no correction."""
-        return self.inner.deflections(ask, point, direction)
-
-    def misfit_stresses(
-        self, ask: Ask, small: Sequence[MisfitStress]
-    ) -> Iterator[tuple[Told, str]]:
-        """Yield those of the inner model, which need no correction."""
-        return self.inner.misfit_stresses(ask, small)
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the planar model's, and those of drawn joints that a force turns out of it."""
