@@ -1,7 +1,5 @@
 """A stage that is pulled turns over where its blades stretch: strings, linear beams, checks."""
 
-from math import inf
-
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -101,6 +99,6 @@ requirements: {{buckling: {{factor: 1}}}}
         (check,) = (check for check in checks if check.name == "buckling")
         assert check.factor_range is not None
         factors.append((check.factor, *check.factor_range))
-    assert factors[0][2] < inf
+    assert factors[0][0] < 50.0
     for factor, *_ in factors[1:]:
         assert factors[0][1] <= factor <= factors[0][2]

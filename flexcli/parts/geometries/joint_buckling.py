@@ -5,6 +5,7 @@ from math import inf, pi
 
 from flexcli.formulas.buckling import thick_load
 from flexcli.formulas.joint_buckling import (
+    STRAIN,
     held_load,
     pulled_straight,
     shares,
@@ -36,7 +37,7 @@ tilt of a stage that may turn: exact solutions have 0.9."""
 PULLED = 3.0
 """Share of the strain by which a stage that is pulled turns over at less tension than slender
 blades that keep their lengths: linear beams (h/l 0.01 to 0.06, ξ 0.1 to 1, r/l 0.03 to 0.26, ν 0 to
-0.49) have at most 1.5 up to a strain of 0.3; beyond, shear buckles the hinges themselves."""
+0.49) have at most 1.5 up to a strain of 0.3, beyond which no model looks."""
 
 WIDE = 0.3
 """Error beyond which a first-order estimate is not valid."""
@@ -141,7 +142,7 @@ def pulled_critical(
         n = overturning_tension(upright=upright, xi=xi, across=hold.across)
         force = number(blades * n * elastic.E * second_moment(b, h) / l**2)
         strain = number(n * (h / l) ** 2 / 12.0)
-        error = ErrorRange(1.0 / (1.0 + PULLED * strain) - 1.0, SAME)
+        error = ErrorRange(1.0 / (1.0 + PULLED * strain) - 1.0, SAME if strain < STRAIN else inf)
     source = f"beams whose stretching keeps the body upright, {hold.spoken}"
     return Critical("in the plane", force, source, 1.0 / (blades * h * b), error, CARRIED)
 

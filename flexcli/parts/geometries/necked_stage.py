@@ -75,6 +75,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         Range("l_c/h", least=5.0, why="a stubby hinge is no beam, and its roots give way as well"),
     )
     posynomial: ClassVar[bool] = False
+    told_across_width: ClassVar[bool] = False
 
     kind: Literal["necked-down-stage"]
     h: Extent
