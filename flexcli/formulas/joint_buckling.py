@@ -12,6 +12,7 @@ from flexcli.formulas.pivot import axial_share
 
 __all__ = [
     "CARDS",
+    "STRAIN",
     "held_load",
     "pulled_straight",
     "shares",

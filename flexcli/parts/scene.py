@@ -137,9 +137,9 @@ class Scene(NamedTuple):
     """Why the closed forms do not cover its loads, empty where they do."""
     in_space: bool = False
     """Whether the joint is drawn in space, where everything acts on it."""
-    is_drawn: bool = False
-    """Whether it is drawn in its plane, unguided: no formula tells what buckles its blades across
-    their width."""
+    may_bow_aside: bool = False
+    """Whether no formula tells what buckles its blades across their width, in a plane in which
+    nothing guides it."""
     on_bodies: bool = False
     """Whether accelerations, along the axes of cases, act on all of a mechanism that is locked."""
     unjudged: str = ""
@@ -159,8 +159,8 @@ class Scene(NamedTuple):
 
     @property
     def leaves_plane(self) -> bool:
-        """Return whether a force in the plane may buckle a drawn or tilting joint out of it."""
-        free = (self.is_drawn or self.tilts) and self.ends == FREE
+        """Return whether a force in the plane may buckle it out of it, by more than one blade."""
+        free = (self.may_bow_aside or self.tilts) and self.ends == FREE
         return free and not self.across_by and self.blade_force > 0.0
 
     @property

@@ -102,7 +102,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         drive=drive,
         beyond=beyond,
         in_space=geometry.in_space,
-        is_drawn=not (geometry.closed_forms or geometry.in_space or geometry.is_guided),
+        may_bow_aside=not (geometry.told_across_width or geometry.in_space or geometry.is_guided),
         across_by=across_by,
         tilts=not is_held and _may_tilt(case, geometry, lasting),
         on_bodies=found.on_bodies,

@@ -1,7 +1,8 @@
 """Drawn joints of narrow blades buckle out of their plane, where blades alone hold a body."""
 
-from math import pi
+from math import pi, sqrt
 
+import numpy as np
 import pytest
 import yaml
 
@@ -73,3 +74,54 @@ def test_a_pull_along_narrow_blades_buckles_nothing():
     pushed, pulled = (check(1.3 * H, "exact", direction=way) for way in ("180 deg", "0 deg"))
     assert pushed.factor == pytest.approx(aside(1.3 * H) / FORCE, rel=5e-3)
     assert pulled.factor > 10.0 * pushed.factor
+
+
+SPRINGY = {
+    "necked-down-stage": {"h": "0.2 mm", "l": "40 mm", "l_c": "1 mm", "spacing": "10 mm"},
+    "hinged-stage": {
+        "e": "0.2 mm",
+        "r": "2 mm",
+        "l": "40 mm",
+        "spacing": "10 mm",
+        "blocks": "0 mm",
+    },
+}
+"""Stages of two limbs on two hinges each, stiff between them."""
+
+
+def tipped(kind, width):
+    """Return the force, of either sense, that tips a stage on its limbs across their width [N].
+
+    Of links of length L on hinges of stiffness K the potential is ``K a²/2 + K (φ − a)²/2`` each,
+    and their body's point, where F acts, stands half their length back along it: F = √2 K/L.
+    """
+    h, between = 0.2e-3, 40e-3
+    flexes = 1e-3 / h  # ∫dx/h along a hinge
+    if kind == "hinged-stage":
+        x = np.linspace(-2e-3, 2e-3, 20001)
+        flexes = float(np.trapezoid(1.0 / (h + 2.0 * (2e-3 - np.sqrt(2e-3**2 - x**2))), x))
+    else:
+        between -= 1e-3  # from the middle of one to that of the other
+    return 2.0 * sqrt(2.0) * E * width**3 / 12.0 / flexes / between
+
+
+@pytest.mark.parametrize("way", ["0 deg", "180 deg"])
+@pytest.mark.parametrize("kind", SPRINGY)
+def test_stages_on_narrow_hinges_tip_out_of_their_plane_pulled_or_pushed(kind, way):
+    width = 0.2e-3 if way == "180 deg" else 0.3e-3
+    spec = {
+        "flexure": 1,
+        "material": {"youngs_modulus": f"{E} Pa", "poisson_ratio": 0.0},
+        "geometry": {"kind": kind, "b": f"{width} m", **SPRINGY[kind]},
+        "cases": {"work": {"load": {"force": "1 N", "direction": way}, "ends": "clamped-free"}},
+    }
+    true = tipped(kind, width)
+
+    def judged(share, model=None):
+        asked = {**spec, "requirements": {"buckling": share * true}}
+        checks = flexcli.verdicts(yaml.safe_dump(asked), model=model).checks
+        return next(str(check.verdict) for check in checks if check.name == "buckling")
+
+    assert judged(1.15) != "pass"
+    assert "pass" not in [judged(2.0, model) for model in ("closed-form", "linear")]
+    assert judged(0.15) == "pass"

@@ -1,19 +1,22 @@
-"""Buckling out of its plane of a joint that is drawn there, or tilts, under a force in it.
+"""Buckling out of its plane of a drawn, necked, hinged or tilting joint, under a force in it.
 
 Blades hardly wider than thick bend aside with the bodies between them before they buckle in their
-plane, and blades side by side pull at different heights. Other joints have one blade's load across
+plane, or turn over aside as they are pulled, and blades side by side pull at different heights.
+Other joints have one blade's load across
 its width; of these the whole is looked at in space, as nothing but blades holds a body with free
 ends there.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import cos, inf, sin
 
 from flexcli.engine.joint_models.dead_loads import loads_of
+from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.critical import straight_critical_factor
 from flexcli.mechanics.space.exact.demand import drive_frame
+from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
@@ -35,7 +38,7 @@ SURELY = 0.8
 
 BOWED = 0.1
 """By how much less a joint may bear than one whose blades stay straight: as plates or beams of
-springs in space differ from it."""
+springs in space differ from it, beside what its hinges or its softest spring may lack."""
 
 TILTED = 0.7
 """The same where forces at different heights tilt the body from the first on, far more than was
@@ -79,13 +82,23 @@ def _straight(ask: Ask) -> Iterator[Critical]:
     """Yield what buckles blades that stay straight, if anything: all that is known at rest."""
     joint = joint_of(ask)
     pattern = [load for each in acting_groups(joint, ask.scene) for load in loads_of(joint, each)]
+    factor = _of_straight(joint.layout, pattern)
+    if factor < inf:
+        low = 1.0 - (TILTED if ask.scene.tilts else BOWED)
+        soft = with_soft_blocks(joint.layout)
+        if soft is None:
+            low *= 1.0 + float(joint.low.min())
+        else:
+            low *= _of_straight(soft, pattern) / factor * (1.0 - hinge_alone_off(joint.layout))
+        known = None if ask.scene.moves or not joint.is_known else ErrorRange(low - 1.0, inf)
+        yield Critical(WAY, factor * ask.scene.force, STRAIGHT, error=known)
+
+
+def _of_straight(layout: SpaceLayout, pattern: Sequence[SpaceLoad]) -> float:
+    """Return the factor on loads at which blades that stay straight buckle, up to ``FAR``."""
     try:
-        factor = straight_critical_factor(
-            joint.layout, None, pattern, most=FAR, frames=drive_frame(joint.layout.drive)
+        return straight_critical_factor(
+            layout, None, pattern, most=FAR, frames=drive_frame(layout.drive)
         )
     except SolveError as error:
         raise NotAvailable(f"has no buckling load in space: {error}") from error
-    if factor < inf:
-        least = TILTED if ask.scene.tilts else BOWED
-        known = None if ask.scene.moves else ErrorRange(-least, inf)
-        yield Critical(WAY, factor * ask.scene.force, STRAIGHT, error=known)

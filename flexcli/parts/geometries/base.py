@@ -258,6 +258,8 @@ class Geometry(Part):
     """What there are solids of: the single notch that it is, or its limbs between two notches."""
     joined_in: ClassVar[frozenset[str]] = frozenset()
     """Bodies of its layout that are but blades which meet."""
+    told_across_width: ClassVar[bool] = True
+    """Whether a formula tells what buckles its blades across their width."""
     has_plane: ClassVar[bool] = True
     """Whether forces bend it in a plane as its stroke does; bars along an axis only twist."""
     _omitted: frozenset[EffectName] = PrivateAttr(frozenset())

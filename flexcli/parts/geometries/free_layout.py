@@ -53,6 +53,7 @@ class FreeLayout(Drawn, ClampedBlades):
     closed_forms: ClassVar[bool] = False
     posynomial: ClassVar[bool] = False
     is_linear: ClassVar[bool] = False
+    told_across_width: ClassVar[bool] = False
     source: ClassVar[str] = "the bodies and blades of the spec"
 
     kind: Literal["layout"]

@@ -98,6 +98,7 @@ class _Hinged(Geometry):
     )
     posynomial: ClassVar[bool] = False
     solids: ClassVar[Solids | None] = "limbs"
+    told_across_width: ClassVar[bool] = False
 
     e: Extent
     """Thickness of the throats, e.g. ``0.1 mm``."""

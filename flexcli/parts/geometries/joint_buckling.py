@@ -5,12 +5,14 @@ from math import inf, pi
 
 from flexcli.formulas.buckling import thick_load
 from flexcli.formulas.joint_buckling import (
+    STRAIN,
     held_load,
     pulled_straight,
     shares,
     sway,
     turning_load,
 )
+from flexcli.formulas.pulled_stage import overturning_tension
 from flexcli.formulas.section import second_moment, shear_parameter
 from flexcli.numerics.rows import cos, isfinite, larger, number, one_by_one, sin
 from flexcli.parts.effect_names import EffectName
@@ -19,7 +21,7 @@ from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import Blade, Critical
 from flexcli.results import ErrorRange
 
-__all__ = ["CARRIED", "pivot_critical", "row_critical"]
+__all__ = ["CARRIED", "pivot_critical", "pulled_critical", "row_critical"]
 
 CARRIED = frozenset({EffectName.SHEAR, EffectName.AXIAL_EXTENSION})
 """Effects that the closed forms of this module include."""
@@ -31,6 +33,11 @@ body before it: exact solutions of rcc, crossed and star pivots have at most 1.6
 TILT = 2.0
 """Largest change over the strain times (l/2r)², r the blades' distance from their middle, by the
 tilt of a stage that may turn: exact solutions have 0.9."""
+
+PULLED = 3.0
+"""Share of the strain by which a stage that is pulled turns over at less tension than slender
+blades that keep their lengths: linear beams (h/l 0.01 to 0.06, ξ 0.1 to 1, r/l 0.03 to 0.26, ν 0 to
+0.49) have at most 1.5 up to a strain of 0.3, beyond which no model looks."""
 
 WIDE = 0.3
 """Error beyond which a first-order estimate is not valid."""
@@ -98,6 +105,8 @@ def row_critical(
     stretch. ``guided`` bodies never turn.
     """
     hold, l = ENDS[ends], sizes.l
+    if not (push or hold.turn or guided or blades == 1):
+        return pulled_critical(elastic, sizes, places, blades, ends)
     held = ends
     tilt: tuple[float, float] | None = (0.0, 0.0)
     if not hold.turn and (blades > 1 or guided):
@@ -110,6 +119,32 @@ def row_critical(
         return blades * thick_load(ends=held, axial=axial, shear=shear) if push else inf
 
     return _critical(elastic, sizes, load, 0.0, 1.0 / blades, tilt, hold.spoken)
+
+
+def pulled_critical(
+    elastic: Elastic,
+    sizes: Blade,
+    places: Sequence[float] | None,
+    blades: int,
+    ends: str,
+    *,
+    xi: float = 1.0,
+) -> Critical:
+    """Return the force that pulls along equal parallel blades at which their body turns over [N].
+
+    ``places`` are where they stand across it [m], None where that is not known; ``xi`` is the share
+    of their length that bends.
+    """
+    h, l, b = number(sizes.h), number(sizes.l), number(sizes.b)
+    hold, force, error = ENDS[ends], inf, None
+    if places is not None:
+        upright = 12.0 * sum(y**2 for y in places) / blades / (h**2 * xi)
+        n = overturning_tension(upright=upright, xi=xi, across=hold.across)
+        force = number(blades * n * elastic.E * second_moment(b, h) / l**2)
+        strain = number(n * (h / l) ** 2 / 12.0)
+        error = ErrorRange(1.0 / (1.0 + PULLED * strain) - 1.0, SAME if strain < STRAIN else inf)
+    source = f"beams whose stretching keeps the body upright, {hold.spoken}"
+    return Critical("in the plane", force, source, 1.0 / (blades * h * b), error, CARRIED)
 
 
 def _critical(

@@ -23,7 +23,7 @@ from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical, Extent
 from flexcli.parts.geometries.blades import ClampedBlades
-from flexcli.parts.geometries.joint_buckling import CARRIED
+from flexcli.parts.geometries.joint_buckling import CARRIED, pulled_critical
 from flexcli.parts.geometries.parallel import (
     SagsAlongStroke,
     force_share,
@@ -75,6 +75,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         Range("l_c/h", least=5.0, why="a stubby hinge is no beam, and its roots give way as well"),
     )
     posynomial: ClassVar[bool] = False
+    told_across_width: ClassVar[bool] = False
 
     kind: Literal["necked-down-stage"]
     h: Extent
@@ -176,11 +177,16 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         """Return the force along the blades at which the stage buckles [N].
 
         Shear in the hinges lowers it by less than Engesser's N/κGA, their shortening raises it by
-        less than their strain; a stage that may turn is kept upright by its blades.
+        less than their strain; a stage that may turn is kept upright by its blades' stretching.
         """
         hold, push = ENDS[ends], is_push(direction, "blades")
         if hold.hinged:
             raise NotAvailable("has no closed form for blades on hinges")
+        if not (push or hold.turn):
+            stand = None if self.spacing is None else places(self.blades, self.spacing, "blade")
+            blade = Blade(sizes.h, sizes.l, sizes.b)
+            xi = np.minimum(sizes.xi, 1.0)
+            return pulled_critical(elastic, blade, stand, self.blades, ends, xi=number(xi))
         held = "clamped-clamped" if hold.across else "clamped-guided"
         (found,) = self.critical(elastic, sizes, held)
         source, stress = f"{SOURCE}, {hold.spoken}", 1.0 / (self.blades * sizes.h * sizes.b)

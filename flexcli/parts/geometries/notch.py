@@ -122,6 +122,7 @@ class NotchGeometry(Geometry):
     source: ClassVar[str] = SOURCE
     posynomial: ClassVar[bool] = False
     solids: ClassVar[Solids | None] = "notch"
+    told_across_width: ClassVar[bool] = False
 
     concentration: Concentration = Field(CONCENTRATION, alias="stress-concentration")
     """How the peak of the stress in a throat counts: by Neuber's deep notch, of fillets by their
