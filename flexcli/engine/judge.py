@@ -248,8 +248,23 @@ def _is_sure(check: Check, far: float) -> bool:
 
 
 def _tells_less(check: Check, known: Check) -> bool:
-    """Return whether a finer model has no range where one before it has."""
-    return check.factor_range is None and known.factor_range is not None
+    """Return whether a finer model is less sure of a factor than one before it.
+
+    Both ranges have the true one, so that neither end of a wider one decides what those of the
+    narrower do not.
+    """
+    return known.factor_range is not None and _width(check) > _width(known)
+
+
+def _width(check: Check) -> tuple[float, float]:
+    """Return how wide a range is, infinite where there is none; of two without end the lower ends.
+
+    They are in the order of what is known.
+    """
+    if check.factor_range is None:
+        return inf, inf
+    low, high = check.factor_range
+    return high - low, -low
 
 
 def _is_decided(check: Check) -> bool:
@@ -335,7 +350,9 @@ class _Series:
             spent += took
             for check in assess.checks(limits):
                 key, known = check.full_name, best.get(check.full_name)
-                if known is None or not (enough(known) or _tells_less(check, known)):
+                if known is not None and enough(known):
+                    continue
+                if known is None or enough(check) or not _tells_less(check, known):
                     best[key] = check._replace(model=model.name, seconds=spent)
             if buckled is not None:
                 nobody = [_no_answer(requirement, scene, "", "", 0.0)] if first == 0 else []

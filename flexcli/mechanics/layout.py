@@ -41,7 +41,7 @@ class Blade:
     height of its middle plane over that of the mechanism [m]. ``peak`` are the factors by which
     its shape raises the stress of a section over that of a beam: in bending, along the blade.
     ``crossed`` is the range of its stiffness over a beam's of a blade that is one piece with
-    another where they cross.
+    another where they cross, ``shared`` the length from its start and its end that both share [m].
     """
 
     name: str
@@ -54,6 +54,7 @@ class Blade:
     z: Number = 0.0
     peak: tuple[Number, Number] = (1.0, 1.0)
     crossed: tuple[Number, Number] = (1.0, 1.0)
+    shared: tuple[Number, Number] = (0.0, 0.0)
 
 
 class Support(NamedTuple):

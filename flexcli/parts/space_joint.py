@@ -1,6 +1,7 @@
 """A joint in space with its springs' errors, for support stiffness, stress and modes."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 from math import inf
 from operator import is_
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant
-from flexcli.mechanics.space.layout import Directed, SpaceLayout, SpaceRod
+from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceLayout, SpaceRod
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.springs import MemberSprings
@@ -117,12 +118,28 @@ class SpaceJoint:
         """Return the assembly with every spring at its upper limit; nearly rigid if unknown."""
         return self.assembly.scaled(np.minimum(1.0 + self.high, RIGID))
 
+    @cached_property
+    def rigid_crossings(self) -> SpaceAssembly | None:
+        """Return it with what blades share that cross made rigid, every spring at its upper limit.
+
+        That stiffens a joint against any load. None where they share nothing, or what is left of
+        a blade is of unknown stiffness.
+        """
+        left = [_beyond_crossing(blade) for blade in self.layout.blades]
+        if all(map(is_, left, self.layout.blades)) or None in left:
+            return None
+        blades = tuple(blade for blade in left if blade is not None)
+        joint = SpaceJoint(replace(self.layout, blades=blades))
+        return joint.stiffest if joint.is_known and np.isfinite(joint.high).all() else None
+
     def error(self, value: Callable[[SpaceAssembly], float]) -> ErrorRange | None:
         """Return the range of error of a number that grows with every spring."""
         if not self.is_known:
             return None
-        best = value(self.assembly)
-        high = value(self.stiffest) / best - 1.0
+        best, most = value(self.assembly), value(self.stiffest)
+        if self.rigid_crossings is not None:
+            most = min(most, value(self.rigid_crossings))
+        high = most / best - 1.0
         return ErrorRange(value(self.softest) / best - 1.0, high if high < UNKNOWN else inf)
 
     @property
@@ -187,6 +204,23 @@ class SpaceJoint:
             high += (rises + for_it) / (4.0 * t)
             low -= (falls + against) / (4.0 * t)
         return Form(found, (low, high) if self.is_known else None, (whole[0] * whole[1]) ** 0.5)
+
+
+def _beyond_crossing(blade: SpaceBlade | SpaceRod) -> SpaceBlade | SpaceRod | None:
+    """Return a blade without what it shares with one that crosses it, None where that is all."""
+    if isinstance(blade, SpaceRod) or not any(blade.shared):
+        return blade
+    start, end = np.array(blade.start), np.array(blade.end)
+    l = float(np.linalg.norm(end - start))
+    first, last = blade.shared
+    if first + last >= l:
+        return None
+    along = (end - start) / l
+    x, y, z = map(float, start + first * along)
+    u, v, w = map(float, end - last * along)
+    return replace(
+        blade, start=(x, y, z), end=(u, v, w), crossed=(1.0, 1.0), shared=(0.0, 0.0)
+    )  # fmt: skip
 
 
 def _softened(member: MemberSprings, E: float, added: Floats) -> Floats:

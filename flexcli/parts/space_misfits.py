@@ -4,8 +4,9 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
+from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.freedoms import misfit
-from flexcli.mechanics.space.layout import MissedSeat, Vector
+from flexcli.mechanics.space.layout import MissedSeat, SpaceBlade, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.states import SpaceState, Stresses, misfitted
 from flexcli.mechanics.space.stresses import equivalent
@@ -14,6 +15,7 @@ from flexcli.parts.requirements.ask import MisfitStress, Told
 from flexcli.parts.space_joint import SpaceJoint
 from flexcli.parts.space_states import largest_stress, linear_error, spring_error
 from flexcli.parts.spring_limits import changed_by_springs
+from flexcli.parts.stress_across import ACROSS
 from flexcli.results import EXACT, ErrorRange
 
 __all__ = ["guided_about", "misfit_stresses", "worst_misfit"]
@@ -59,13 +61,32 @@ def misfit_stresses(
         found = stresses.of(state.moved.forces[:, 0], state.weights)
         here = max(found, key=largest_stress)
         springs = whole = None
-        if joint.is_known_in_stress:
+        if joint.is_known_in_stress or _stays_in_plane(joint, state):
             change = _by_springs(joint, state, missed, kept, stresses)
             springs = spring_error(joint, state, stresses, change)
             whole = linear_error(joint, state, stresses, change)
         place = here.where[int(np.argmax(equivalent(here.normal, here.shear)))]
         where = f"{here.name}, {place}, {stresses.names[blade]} being off"
         yield MisfitStress(missed, largest_stress(here), where, springs, whole)
+
+
+def _stays_in_plane(joint: SpaceJoint, state: SpaceState) -> bool:
+    """Return whether blades of known springs are strained along and across their thickness alone.
+
+    Their nominal stress is that of their springs' forces, however wide they are: it is of sheets
+    bent in their own plane, and of torsion, that nobody compared that of wider ones. That of rods
+    and hinges is compared as it is known.
+    """
+    blades = joint.layout.blades
+    plain = all(
+        isinstance(x, SpaceBlade) and isinstance(x.profile, Constant) and x.profile.h <= x.b
+        for x in blades
+    )
+    if not (joint.is_known and plain and not joint.is_directed):
+        return False
+    energy = state.moved.forces[:, 0] * state.moved.deformations[:, 0]
+    across = energy[: 6 * len(blades)].reshape(-1, 6)[:, ACROSS]
+    return bool(across.max() <= STRAINED * energy.sum())
 
 
 def _by_springs(

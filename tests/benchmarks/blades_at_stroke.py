@@ -5,7 +5,8 @@ The first three write tests/mechanics/space/blades_at_stroke.json, ``print`` rea
 of one processor for the solids, ten minutes each for the shells and for what buckles them: of
 loads about those that buckle beams, which shells still stand and under which they fall.
 
-A solid is one blade of C3D20R, one element through its thickness, crowded towards its clamps. Its
+A solid is one blade of C3D20R, one element through its thickness, three of the thickest ones,
+crowded towards its clamps. Its
 end is moved to the pose of a guide or of a pivot, free along itself, then a little to either side
 in all six coordinates: its stiffness is a difference of nodal forces, by CalculiX's full Newton
 steps, without rigid bodies. Two meshes, 1.5 times as fine, are extrapolated with the order 1.5 that
@@ -77,6 +78,14 @@ THICK_OR_WIDE = (
 )  # fmt: skip
 """Solids of 12 and 18 elements along a blade, within 0.8 % by their meshes."""
 
+THICKER = (
+    Case("guide", 1.0, 0.25, 0.02), Case("guide", 3.0, 0.25, 0.02, 0.34),
+    Case("cross", 3.0, 0.25, 1.0, 0.45), Case("guide", 0.3, 0.25, 0.02, 0.45),
+    Case("cross", 0.5, 0.25, 2.0, 0.45), Case("guide", 1.0, 0.25, 0.02, 0.45),
+    Case("guide", 3.0, 0.25, 0.02, 0.45), Case("guide", 0.5, 0.25, 0.03, 0.0),
+)  # fmt: skip
+"""Three elements through the thickness, 10 and 15 along, within 0.8 % by their meshes."""
+
 NARROW = (
     Case("guide", 0.02, 0.01, 0.1), Case("cross", 0.02, 0.01, 10.0),
     Case("cross", 0.05, 0.01, 10.0, 0.45), Case("cross", 0.02, 0.005, 5.0, 0.45),
@@ -143,7 +152,7 @@ class Mesh(NamedTuple):
 
 def mesh_of(case, along):
     across = round(along / 5 if case.b <= 0.2 else along * 0.4)
-    l = LENGTH * MM
+    l, through = LENGTH * MM, 3 if case in THICKER else 1
 
     def crowded(count):
         u = np.linspace(0.0, 1.0, count + 1)
@@ -151,7 +160,7 @@ def mesh_of(case, along):
         return np.sort(np.concatenate([u, (u[:-1] + u[1:]) / 2.0]))
 
     x, z = crowded(along) * l, (crowded(across) - 0.5) * case.b * l
-    y = np.array([-0.5, 0.0, 0.5]) * case.h * l
+    y = (crowded(through) - 0.5) * case.h * l
     shape = (x.size, y.size, z.size)
     there = np.asarray(sum(np.ix_(*(np.arange(n) % 2 for n in shape)))) <= 1
     number = np.full(shape, -1)
@@ -344,6 +353,7 @@ def main(what):
         "solids": lambda: [
             *(solid_row(c) for c in (*SOLIDS, *NARROW)),
             *(solid_row(c, (12, 18)) for c in (*THICK_OR_WIDE, *NARROWING)),
+            *(solid_row(c, (10, 15)) for c in THICKER),
         ],
         "shells": lambda: [shell_row(c) for c in shell_cases()],
         "buckled": lambda: [buckled_row(*c) for c in buckling_cases()],

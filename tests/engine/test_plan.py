@@ -253,3 +253,17 @@ def test_a_plan_s_error_is_no_less_than_what_a_check_tells_of_the_same_bar():
     low, high = told.factor_range
     found = planned(design)
     assert found.errors["stress"] >= 0.99 * (high - low) / (high + low) > 1e-3
+
+
+def test_values_beside_what_solids_judge_are_of_a_model_that_plans():
+    """Solids and shells judge; ``accuracy`` was an error beside them."""
+    notch = {"kind": "notch-hinge", "e": "0.1 mm", "r": "2 mm", "b": "0.2 mm"}
+    spec = design_of(notch, TURN, accuracy="1 %")
+    sizes = spec.fixed_sizes()
+    solid, planned = (check(spec, sizes, "spec", model) for model in ("solid", "exact"))
+    assert {row.model for row in solid.checks} == {"solid"}
+    assert solid.plan is not None
+    assert solid.plan.model == "exact"
+    assert solid.values["k_pivot"].value == planned.values["k_pivot"].value
+    assert "values-by-another-model" in [note.code for note in solid.warnings]
+    assert "values-by-another-model" not in [note.code for note in planned.warnings]

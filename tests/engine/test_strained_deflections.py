@@ -191,9 +191,34 @@ def test_what_a_small_push_changes_is_in_the_range_of_linear_springs():
     assert on_stage(beside, 0.5, model="linear").factor_range is None
 
 
-def test_a_push_that_buckles_a_stage_is_no_pass_of_its_deflection():
-    beside = "acceleration: {level: 10 m/s^2, axis: y}, wrench: {x: 10 mN}"
-    assert on_stage(beside, 1.2).verdict is Verdict.UNDECIDED
+@pytest.mark.parametrize("times", [1.2, 50.0])
+def test_a_push_that_buckles_a_stage_fails_its_deflection(times):
+    beside = f"acceleration: {{level: {10.0 * times} m/s^2, axis: y}}, wrench: {{x: 10 mN}}"
+    row = on_stage(beside, 1.0)
+    assert row.verdict is Verdict.FAIL
+    assert row.factor == pytest.approx(1.0 / times, rel=0.01)
+
+
+def test_a_push_that_may_buckle_a_stage_is_no_pass_of_its_deflection():
+    beside = "acceleration: {level: 10.2 m/s^2, axis: y}, wrench: {x: 10 mN}"
+    assert on_stage(beside, 1.0).verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("times", [0.5, 3.0, 100.0])
+def test_a_push_along_a_guided_blade_fails_where_it_buckles_it(times):
+    """A guide keeps its end from turning: π² EI/l², four times that of a free one."""
+    h, l, b = 0.1e-3, 40e-3, 2e-3
+    force = times * 9.8696 * E * b * h**3 / 12.0 / l**2
+    (row,) = flexcli.check(f"""
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0, density: 1 kg/m^3}}
+geometry: {{kind: guided-blade, h: {h} m, l: {l} m, b: {b} m}}
+cases: {{work: {{wrench: {{y: {force} N}}}}}}
+requirements: {{deflection: {{direction: y, max: 1 m}}}}
+""").checks
+    assert row.verdict is (Verdict.FAIL if times > 1.0 else Verdict.PASS)
+    if times > 1.0:
+        assert row.factor == pytest.approx(1.0 / times, rel=1e-3)
 
 
 def test_a_sag_beside_a_push_that_nearly_buckles_a_stage_is_left_open():

@@ -142,6 +142,21 @@ def test_solids_give_way_out_of_their_plane_within_the_range_of_exact_beams(row)
     for axis, solid in (("z", along_z), ("theta_x", about_x), ("theta_y", about_y)):
         low, high = deflection(joint, nu, axis)
         assert low <= solid <= high
+        # no less than with a rigid crossing, which little of a motion along z hangs on
+        assert low > (0.9 if axis == "z" else 0.73) * solid
+
+
+def test_a_joint_is_no_stiffer_than_with_a_rigid_crossing():
+    """``tests/benchmarks/plane_crossing.py``: halves that begin where both no longer share."""
+    h, crossing, degrees, _, across = rows("plane_deflections.json")[4]
+    words = {
+        **drawn((h, h / 2.0, crossing, degrees), 0.0),
+        "requirements": {"support": [{"direction": "y", "min": "1 N/m"}]},
+    }
+    found = flexcli.verdicts(json.dumps(words) + "\n", model="exact").checks[0].factor_range
+    assert found is not None
+    plane = E * h / 2.0 * L / across
+    assert found[0] < plane < found[1] < 1.1 * plane
 
 
 @pytest.mark.parametrize("row", rows("plane_deflections.json"))

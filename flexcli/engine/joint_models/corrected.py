@@ -10,6 +10,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
+from flexcli.parts.effects.estimate import MOST
 from flexcli.parts.effects.plate import change_by_loads, flattest, pulled, stretched
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
@@ -551,6 +552,8 @@ class Corrected(BuiltOn):
             elif change.value is None and effect.is_whole:  # a range that holds, and no value
                 found += _whole_range(effect, change, setting, kind)
             elif effect.name not in inner:
+                if kind is QuantityKind.BUCKLING and effect.is_whole and _only_raises(change):
+                    high, change = inf, change._replace(error=0.0)
                 applied.append(change)
                 whole = whole and effect.is_whole
                 if effect in self.omitted and change.value is not None:
@@ -616,6 +619,14 @@ def _with_weight(ask: Ask, critical: Critical) -> Critical:
         return critical._replace(error=None)
     more = weighed(ask) / ask.scene.force
     return critical._replace(error=error + ErrorRange(1.0 / (1.0 + more) - 1.0, 0.0))
+
+
+def _only_raises(change: Change) -> bool:
+    """Return whether a change makes a number larger, by so much that nobody knows how much.
+
+    It makes others unsure by its bound alone.
+    """
+    return change.value == 0.0 and change.sign > 0 and change.error >= MOST
 
 
 def _between(value: float, least: float, most: float) -> tuple[float, ErrorRange | None]:

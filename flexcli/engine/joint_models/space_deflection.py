@@ -80,9 +80,10 @@ BEYOND, NEAR = 1.1, 0.5
 """Times its loads, besides what springs are off, at which a joint has to stand as well, or it may
 not stand under them; from which share of what turns straight blades aside that is looked at."""
 
-WALKED, FAR = 3.0, 1.5
-"""Times what turns straight blades aside, how far loads are followed to where they buckle, and from
-where on that is done before their whole size is looked for."""
+WALKED, GUIDED, FAR = 3.0, 4.0, 1.5
+"""Times what turns straight blades aside, how far loads are followed to where they buckle; how much
+more a guide lets them bear, which keeps them from turning (Euler: π² over π²/4); and from where on
+that is done before their whole size is looked for."""
 
 ROUGH = (12, 18, 27), 1e-2
 """Nodes and accuracy of the share of loads that buckles a joint."""
@@ -204,7 +205,7 @@ def deflections(
             rest = still = compliance_along_cases(ask, at_rest, CENTRE, locked=False)
             ends: Iterable[float | None] = dict.fromkeys(scene.stroke_ends)
             if strained.states:
-                still = compliance_along_cases(ask, strained.at(None), CENTRE, locked=False)
+                still = compliance_along_cases(ask, _left(strained), CENTRE, locked=False)
             if not scene.moves:
                 ends = (None if strained.states else 0.0,)
             there = [_tangents(strained, travel, blades) for travel in ends]
@@ -538,6 +539,8 @@ def _either_way(
     comes first, for it may be all that counts.
     """
     ask, besides = strained.ask, strained.states
+    if besides:
+        _left(strained)
     rest = _moved(strained, (), sought) if besides else 0.0
     together = {
         sign: combined([state, *besides], [sign, *(1.0 for _ in besides)]) for sign in (1.0, -1.0)
@@ -554,6 +557,16 @@ def _either_way(
             _prove_buckled(ask, whole, second)
             moved = NotAvailable(f"has no deflection by exact beams: {failed}")
         yield sign, moved
+
+
+def _left(strained: _Strained) -> SpaceEquilibrium:
+    """Return the joint as what acts besides leaves it; raise where that surely buckles it."""
+    try:
+        return strained.at(None)
+    except (NotAvailable, SolveError):
+        whole = combined(list(strained.states), [1.0] * len(strained.states))
+        _prove_buckled(strained.ask, whole, whole.following())
+        raise
 
 
 def _moved_safely(
@@ -611,7 +624,8 @@ def _prove_buckled(ask: Ask, acting: SpaceState, second: SecondOrder) -> None:
     if ask.scene.temperature is not None:
         return
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-    most = min(1.0, WALKED / second.buckling) if second.buckling > 0.0 else 1.0
+    walked = WALKED * (GUIDED if ask.geometry.is_guided else 1.0)
+    most = min(1.0, walked / second.buckling) if second.buckling > 0.0 else 1.0
     if not joint.is_known or most * second.rotation > TURNED:
         return
     body = joint.layout.drive.body

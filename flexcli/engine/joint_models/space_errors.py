@@ -81,7 +81,7 @@ class Bend(NamedTuple):
 
 
 SEEN = {
-    "slender": Range("h/l", 0.0, 0.2, "guides and pivots, strained by 1 to 3 %, against solids"),
+    "slender": Range("h/l", 0.0, 0.25, "guides and pivots, strained by 0.5 to 3 %, against solids"),
     "rod": Range("d/l", 0.0, 0.05, "as a narrow blade"),
     "width": Range("b/l", 0.0, 3.0, "beams were held against shells from 0.1 to 3, rods besides"),
     "poisson": Range("ν", 0.0, 0.45, "sections curl by its square"),
@@ -154,7 +154,9 @@ FURTHER = 0.05
 
 THICK = 0.4
 """Share of (h/l)² besides: of what clamps do to the shear of a thick blade beams have no more than
-its strip; square ones of l/10 were 0.02 too soft, h = l/5 and b = l 0.005."""
+its strip; square ones of l/10 were 0.02 too soft, h = l/5 and b = l 0.005. Of h = l/4, b/l
+0.3 to 3, support stiffnesses were up to 0.046 and moments up to 0.042 less than those of solids at
+ν = 0.45, 0.02 each at 0.34, none at 0."""
 
 SHIFTED = 0.025
 """Besides, of the motion beside a stroke: what is left of it where blades shorten alike (a folded

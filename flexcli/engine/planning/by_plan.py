@@ -7,6 +7,7 @@ from time import perf_counter
 from flexcli.engine import values as design_values
 from flexcli.engine.models import NamedModel
 from flexcli.engine.plan import plan, planned_model
+from flexcli.engine.planning.coverage import COVERAGE
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
@@ -26,11 +27,15 @@ def with_planned_values(
 ) -> Result:
     """Return a result with its values by the model that the spec's accuracy calls for.
 
-    They stay as they are, with a note, where that model has no answer.
+    They stay as they are, with a note, where that model has no answer. Of shells and solids of a
+    joint of the plane there is no plan: they judge, and values are by the cheapest other model.
     """
-    started = perf_counter()
-    found = plan(design, sizes, model)
-    in_space = design.geometry.in_space
+    started, in_space = perf_counter(), design.geometry.in_space
+    judges_alone = model is not None and not in_space and model not in COVERAGE
+    found = plan(design, sizes, None if judges_alone else model)
+    if judges_alone:
+        text = f"the {model} model judges, but plans no values: they are by the {found.model} model"
+        found = found._replace(notes=(Note("values-by-another-model", text), *found.notes))
     try:
         by = NamedModel(design, found.model).joint_model if in_space else planned_model(found)
         values = design_values.values(design, sizes, by)

@@ -154,7 +154,8 @@ class SpaceBlade:
     thickness, and along the blade. ``warps`` says that its clamps do not keep its ends flat.
     ``blocks`` is between which lengths lie blocks, as thick as the ends of a hinge, on either side
     of it up to the rigid bodies [m]. ``feels`` is what models do not leave out of it, ``crossed``
-    the range of its stiffness over a beam's where it is one piece with a blade that it crosses.
+    the range of its stiffness over a beam's where it is one piece with a blade that it crosses,
+    and ``shared`` the length from its start and its end that both share [m].
     """
 
     name: str
@@ -171,6 +172,7 @@ class SpaceBlade:
     blocks: tuple[float, float] = (0.0, 0.0)
     feels: BeamEffects = _EVERYTHING
     crossed: tuple[float, float] = (1.0, 1.0)
+    shared: tuple[float, float] = (0.0, 0.0)
 
     @property
     def warps_freely(self) -> bool:

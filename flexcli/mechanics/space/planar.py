@@ -60,6 +60,7 @@ def from_plane(layout: Layout, moving: str, *, turns: bool, density: float = 0.0
             material,
             blade.peak,
             crossed=(float(blade.crossed[0]), float(blade.crossed[1])),
+            shared=(float(blade.shared[0]), float(blade.shared[1])),
         )
         for blade in layout.blades
     )

@@ -10,7 +10,7 @@ from flexcli.parts.bending import FLOOR, Change
 from flexcli.parts.effects.base import ModelEffect, Setting
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["BETWEEN", "Estimate", "estimate", "left_by"]
+__all__ = ["BETWEEN", "MOST", "Estimate", "estimate", "left_by"]
 
 BETWEEN = 2.0
 """Interaction of two effects over the product of their sizes: the largest seen in exact

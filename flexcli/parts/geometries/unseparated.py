@@ -10,7 +10,7 @@ from flexcli.formulas import unseparated as joined
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed
-from flexcli.formulas.solid_crossing import OfHalves, crossed_blades
+from flexcli.formulas.solid_crossing import OfHalves, crossed_blades, crossing_reach
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.numerics.rows import number, one_by_one, smaller
 from flexcli.parts.base import QuantityOf, spec_error
@@ -138,6 +138,7 @@ class UnseparatedPivot(BladePair):
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return four part-blades around the cross."""
         crossed, blades = self.crossed(sizes), []
+        shared = crossing_reach(half_angle=self.half_angle) * sizes.h
         for index, angle in enumerate(self.blade_angles, 1):
             near, far = self.crossing * sizes.l, (1.0 - self.crossing) * sizes.l
             blades += [
@@ -148,7 +149,8 @@ class UnseparatedPivot(BladePair):
                     f"blade {index} stage", (CROSS, MOVING), on_ray(angle, (0.0, far)), sizes
                 ),
             ]
-        blades = [replace(blade, crossed=crossed) for blade in blades]
+        ends = {GROUND: (0.0, shared), CROSS: (shared, 0.0)}
+        blades = [replace(blade, crossed=crossed, shared=ends[blade.first]) for blade in blades]
         bodies = (Body(CROSS, (0.0, 0.0)), Body(MOVING, (0.0, 0.0)))
         return Layout(bodies, tuple(blades), elastic.E, elastic.shear)
 

@@ -144,7 +144,26 @@ def form_in(
     ask: Ask, joint: SpaceJoint, sought: NDArray[np.float64], load: NDArray[np.float64]
 ) -> Form:
     """Return it of a joint that may have moved, or have springs of its own."""
-    body, assembly = joint.layout.body(joint.layout.drive.body), joint.assembly
+    strained = _strained(ask, joint, joint.assembly, sought, load)
+    form, stiff = joint.form(strained[:, 0], strained[:, 1]), joint.rigid_crossings
+    if form.off is None or stiff is None or not _is_along(sought, load):
+        return form
+    # a motion along its own load is no less than where more is rigid
+    held = _strained(ask, joint, stiff, sought, load)[:, 1]
+    share = float(stiff.stiffness @ held**2 / (joint.assembly.stiffness @ strained[:, 1] ** 2))
+    (low, high), less = form.off, (share - 1.0) * form.found
+    return form._replace(off=(max(low, less), high) if less < 0.0 else (low, min(high, less)))
+
+
+def _strained(
+    ask: Ask,
+    joint: SpaceJoint,
+    assembly: "SpaceAssembly",
+    sought: NDArray[np.float64],
+    load: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Return the deformations of all springs under what is sought, and under the load."""
+    body = joint.layout.body(joint.layout.drive.body)
     turned = motion_along(axes_about_z(ask.geometry.axes))
     rows = turned @ assembly.motion(body.name, body.point)
     wrenches = np.stack([sought, load, np.eye(6)[5]], axis=1)
@@ -157,7 +176,7 @@ def form_in(
         # what guides it keeps it from turning about z
         turns = rows[5] @ moved.coordinates
         strained = strained - np.outer(strained[:, 2], turns / turns[2])
-    return joint.form(strained[:, 0], strained[:, 1])
+    return np.asarray(strained[:, :2])
 
 
 def _at(place: NDArray[np.float64]) -> Place:
