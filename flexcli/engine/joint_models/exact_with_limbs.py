@@ -99,7 +99,7 @@ class ExactWithLimbs(ExactWithSolids):
         one_alone()
         sizes, limb = self._limb(ask)
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
-        each = [self._compliance(ask, index) for index in loads]
+        each = self._compliances(ask, loads)
         C, off = np.array([C / 2.0 for C, _ in each]), np.array([error for _, error in each])
         arms = []
         for across, turn in BENDS:
