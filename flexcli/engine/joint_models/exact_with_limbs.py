@@ -202,6 +202,9 @@ class ExactWithLimbs(ExactWithSolids):
         from flexcli.engine.joint_models.space_exact import SpaceExactModel
         from flexcli.engine.joint_models.space_misfit import StressModel, misfit_stresses
 
+        self._limb(ask)
+        for solid in self._solids(ask).turning:  # whose stresses are asked for besides
+            solid.solve(range(6))
         joint, beams = self._joint(ask), SpaceExactModel()
         each = [self._misfit_stress(ask, joint, one) for one in small]
         return misfit_stresses(

@@ -193,8 +193,11 @@ class ExactWithSolids(ExactModel):
 
     def _compliances(self, ask: Ask, loads: Sequence[int]) -> list[tuple[float, float]]:
         """Return compliances of the solid to several loads, and their errors."""
-        for solid in {*self._solids(ask).blocks, *self._solids(ask).turning}:
-            solid.solve(loads)
+        found = self._solids(ask)
+        for solid in found.blocks:
+            solid.solve(index for index in loads if index != TURN)
+        for solid in found.turning:
+            solid.solve(index for index in loads if index == TURN)
         return [self._compliance(ask, index) for index in loads]
 
     def _least_and_most(self, ask: Ask, index: int) -> tuple[float, float]:

@@ -69,8 +69,9 @@ class NeckUnderLoads:
 
         What those in the plane and those across it have in common is then found once.
         """
+        asked = tuple(indices)
         for each in meshes:
-            self._octants[each].solve(indices)
+            self._octants[each].solve(asked)
 
     def compliance(self, index: int) -> tuple[float, float]:
         """Return the compliance to a unit load about the middle, and its relative error.
