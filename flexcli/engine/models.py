@@ -59,8 +59,8 @@ class NamedModel:
 
         In a joint of the plane shells judge little, and solids not all; shells decide nothing where
         an effect that they lack leaves no error of a stress. A load that buckles blades whose
-        errors nobody knows would be looked for in vain, and so would be the stiffness of hinges
-        where a pass hangs on what limbs weigh that nobody has weighed.
+        errors nobody knows would be looked for in vain. So would be the stiffness of hinges where a
+        number has no error for what limbs weigh that nobody has weighed, or a pass hangs on that.
         """
         if self.name == "shell" and not self.design.geometry.in_space:
             asked, of_stress = requirement.by_shells, QuantityKind.STRESS
@@ -69,9 +69,11 @@ class NamedModel:
             unsure = not requirement.is_of_stress or any(map(_is_unsure, known))
             return asked is not None and unsure
         if self.name == "solid":
-            hangs = requirement.weighs(ask.scene) and all(map(_hangs_on_mass, known))
-            unweighed = hangs and ask.geometry.has_limbs(ask.material.elastic, ask.sizes)
-            return requirement.by_solids and not unweighed
+            limbs = ask.geometry.has_limbs(ask.material.elastic, ask.sizes)
+            if limbs and requirement.weighs(ask.scene):
+                may_fail = requirement.falls_with_mass and not all(map(_hangs_on_mass, known))
+                return requirement.by_solids and may_fail
+            return requirement.by_solids
         return requirement.may_be_decided(ask)
 
 

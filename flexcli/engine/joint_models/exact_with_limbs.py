@@ -99,7 +99,7 @@ class ExactWithLimbs(ExactWithSolids):
         one_alone()
         sizes, limb = self._limb(ask)
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
-        each = [self._compliance(ask, index) for index in loads]
+        each = self._compliances(ask, loads)
         C, off = np.array([C / 2.0 for C, _ in each]), np.array([error for _, error in each])
         arms = []
         for across, turn in BENDS:
@@ -202,6 +202,9 @@ class ExactWithLimbs(ExactWithSolids):
         from flexcli.engine.joint_models.space_exact import SpaceExactModel
         from flexcli.engine.joint_models.space_misfit import StressModel, misfit_stresses
 
+        self._limb(ask)
+        for solid in self._solids(ask).turning:  # whose stresses are asked for besides
+            solid.solve(range(6))
         joint, beams = self._joint(ask), SpaceExactModel()
         each = [self._misfit_stress(ask, joint, one) for one in small]
         return misfit_stresses(

@@ -168,7 +168,7 @@ class ExactWithSolids(ExactModel):
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
         member = springs_of(layout.blades[0])
         middle = np.asarray(member.l / 2.0)
-        each = [self._compliance(ask, index) for index in loads]
+        each = self._compliances(ask, loads)
         stiffness = np.array([1.0 / C for C, _ in each])
         off = np.array([error for _, error in each])
         springs = member.springs._replace(
@@ -190,6 +190,15 @@ class ExactWithSolids(ExactModel):
         least, most = self._least_and_most(ask, index)
         middle = 2.0 / (1.0 / least + 1.0 / most)
         return middle, middle / least - 1.0
+
+    def _compliances(self, ask: Ask, loads: Sequence[int]) -> list[tuple[float, float]]:
+        """Return compliances of the solid to several loads, and their errors."""
+        found = self._solids(ask)
+        for solid in found.blocks:
+            solid.solve(index for index in loads if index != TURN)
+        for solid in found.turning:
+            solid.solve(index for index in loads if index == TURN)
+        return [self._compliance(ask, index) for index in loads]
 
     def _least_and_most(self, ask: Ask, index: int) -> tuple[float, float]:
         blocks, turning = self._solids(ask)
@@ -415,8 +424,8 @@ class ExactWithSolids(ExactModel):
     def _unlike_beams(self, ask: Ask) -> float:
         """Return by what share a solid may differ from beams in any of its compliances."""
         most = 0.0
-        for index, beam in enumerate(self._beams(ask)):
-            C, off = self._compliance(ask, index)
+        beams = self._beams(ask)
+        for beam, (C, off) in zip(beams, self._compliances(ask, range(6)), strict=True):
             most = max(most, (1.0 + off) * max(C / beam, beam / C) - 1.0)
         return most
 

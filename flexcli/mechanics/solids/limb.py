@@ -1,5 +1,7 @@
 """A limb that is rigid between its two necks, under six unit loads about its middle."""
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,6 +27,10 @@ class RigidLimb:
     def neck(self) -> Neck:
         """Return either neck."""
         return self.each.neck
+
+    def solve(self, indices: Iterable[int]) -> None:
+        """Solve loads that will be asked for, told by their places in a wrench."""
+        self.each.solve({at for index in indices for at in (index, LEVERS.get(index, index))})
 
     def compliance(self, index: int) -> tuple[float, float]:
         """Return the compliance to a unit load about the middle, and its relative error."""

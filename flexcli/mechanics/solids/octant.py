@@ -116,13 +116,19 @@ class Octant:
         self.elastic = E, nu
         self._known: dict[int, Moved | None] = {}
 
+    def solve(self, indices: Iterable[int]) -> None:
+        """Solve what is not known yet of loads, told by their places in a wrench, all together."""
+        unknown = {index for index in indices if index not in self._known}
+        asked = [group for group in (IN_PLANE, ACROSS) if unknown.intersection(group)]
+        if asked:
+            self._solve(sum(asked, ()))
+
     def moved(self, index: int) -> Moved | None:
         """Return what the load of a place in a wrench does, by which the ends move.
 
         It is nothing for a load under which the body is so slender that no digits are left.
         """
-        if index not in self._known:
-            self._solve(IN_PLANE if index in IN_PLANE else ACROSS)
+        self.solve([index])
         return self._known[index]
 
     def _solve(self, indices: Iterable[int]) -> None:
@@ -149,28 +155,21 @@ class Octant:
 
 
 class _Following:
-    """Motions of which some follow the others, told by their places: ``own`` those, ``rest`` these.
+    """Motions of which the first ``count`` follow the others. Only what moves freely may follow.
 
-    ``left`` is the stiffness of the others. Only what moves freely may follow.
+    ``K`` is the stiffness of all: its part of the others becomes that of these alone.
     """
 
-    def __init__(self, K: Floats, own: Integers, rest: Integers) -> None:
-        """Take the stiffness of all, those that follow first."""
-        self.own, self.rest = own, rest
-        count = own.size
-        self.factor = _factor(K[:count, :count].copy())
+    def __init__(self, K: Floats, count: int) -> None:
+        self.count = count
+        self.factor = _factor(K[:count, :count])
         self.forces = _solved(self.factor, K[:count, count:])
-        self.left = K[count:, count:] - self.forces.T @ self.forces
-
-    @classmethod
-    def among(cls, K: Floats, own: Integers, rest: Integers) -> "_Following":
-        """Return them by a stiffness in the order of the places."""
-        order = np.concatenate([own, rest])
-        return cls(K[np.ix_(order, order)], own, rest)
+        K[count:, count:] -= self.forces.T @ self.forces
 
     def fill(self, w: Floats) -> None:
         """Set the motions that follow by the others."""
-        w[self.own] = -_solved(self.factor, self.forces @ w[self.rest], transposed=True)
+        count = self.count
+        w[:count] = -_solved(self.factor, self.forces @ w[count:], transposed=True)
 
 
 class _Layer:
@@ -178,38 +177,45 @@ class _Layer:
 
     These move freely under any load: those within a brick are eliminated, then those between
     bricks. ``left`` is the stiffness of the others, at the places ``others`` (of the layer's
-    motions, in the order of the lattice).
+    motions, in the order of the lattice): first those in z = 0 off the edges of the face, then
+    those at its edges, plane by plane of z.
     """
 
     def __init__(self, lattice: Lattice, n: int, E: float, nu: float) -> None:
-        _, across, wide = lattice.orders
         rows, columns, width = lattice.orders[0] + 1, *lattice.shape[1:]
         self.shape = rows, columns, width, 3
-        inside = np.ones(self.shape, dtype=bool)
-        inside[0] = inside[-1] = inside[:, 0] = inside[:, :, 0] = False
-        numbers = np.arange(inside.size).reshape(self.shape)
-        apart = np.ones(self.shape, dtype=bool)  # off the faces between bricks
-        apart[:, across:-1:across] = apart[:, :, wide:-1:wide] = False
-        within, between = inside & apart, inside & ~apart
-        kept = np.concatenate([np.flatnonzero(between), np.flatnonzero(~inside)])
-        place = np.full(inside.size, -1)
-        place[kept] = np.arange(kept.size)
-        K = np.zeros((kept.size, kept.size))
+        in_order = np.moveaxis(np.arange(int(np.prod(self.shape))).reshape(self.shape), 2, 0)
+        numbers = in_order.reshape(width, rows * columns, 3)
+        bricks = _Bricks(lattice, n, E, nu)
+        off, edge = numbers[:, bricks.off], numbers[:, bricks.edge]
+        wide = bricks.wide
+        between, middle, edges = off[wide:-1:wide].ravel(), off[0].ravel(), edge.ravel()
+        self.others = np.concatenate([middle, edges])
+        starts = np.cumsum([0, between.size, middle.size])
+        K = np.zeros((starts[2] + edges.size,) * 2)
         self.bricks = list[tuple[Integers, _Following]]()
-        for first in range(0, columns - 1, across):
-            at = slice(first, first + across + 1)
-            of_brick = _Bricks(lattice, n, at, E, nu)
-            for side in range(0, width - 1, wide):
-                over = slice(side, side + wide + 1)
-                half = (lattice.z[side + wide] - lattice.z[side]) / 2.0
-                own = np.moveaxis(numbers[:, at, over], -1, 0).ravel()
-                brick = of_brick.following(half, within.ravel()[own])
-                self.bricks.append((own, brick))
-                rest = place[own[brick.rest]]
-                K[np.ix_(rest, rest)] += brick.left
-        own, rest = np.split(np.arange(kept.size), [np.count_nonzero(between)])
-        self.between = kept, _Following(K, own, rest)
-        self.others, self.left = kept[rest], self.between[1].left
+        plane, face = edge[0].size, off[0].size
+        for k, first in enumerate(range(0, width - 1, wide)):
+            half = (lattice.z[first + wide] - lattice.z[first]) / 2.0
+            is_last = first + wide == width - 1
+            of_brick = bricks.stiffness(half)
+            brick = _Following(of_brick, bricks.alone if not is_last else bricks.alone + face)
+            left = of_brick[brick.count :, brick.count :]
+            own = off[[*range(first + 1, first + wide + 1), first]].ravel()
+            own = np.concatenate([own, edge[first : first + wide + 1].ravel()])
+            self.bricks.append((own, brick))
+            # its faces of nodes that bricks share, and its edges
+            near = starts[1] if k == 0 else (k - 1) * face
+            along = starts[2] + first * plane
+            places = [near, along] if is_last else [k * face, near, along]
+            sizes = [*(face,) * (len(places) - 1), (wide + 1) * plane]
+            cuts = np.cumsum([0, *sizes])
+            for i, row in enumerate(places):
+                for j, column in enumerate(places):
+                    part = left[cuts[i] : cuts[i + 1], cuts[j] : cuts[j + 1]]
+                    K[row : row + sizes[i], column : column + sizes[j]] += part
+        self.between = np.concatenate([between, self.others]), _Following(K, between.size)
+        self.left = K[between.size :, between.size :]
 
     def whole(self, others: Floats) -> Floats:
         """Return the motions of all nodes of the layer by those of the others."""
@@ -225,34 +231,38 @@ class _Layer:
 class _Mirrored:
     """The octant under loads of the same mirror images in y and z, layers eliminated up to a plane.
 
-    ``beyond`` is the stiffness of what moves freely in that plane, ``kept`` has for each layer
-    which of its other motions follow those of the plane before it, and how.
+    ``beyond`` is the stiffness of what moves freely in that plane; ``kept`` has for each layer the
+    places of its free motions, which of these are in its last plane, and how all follow those in
+    its first plane, which are the last.
     """
 
     def __init__(self, lattice: Lattice, signs: tuple[int, int]) -> None:
         self.lattice = lattice
         self.free = _free(lattice, signs)
         self.beyond: Floats | None = np.zeros((0, 0))
-        self.kept = list[_Following]()
+        self.kept = list[tuple[Integers, slice, _Following]]()
 
     def eliminate(self, n: int, layer: _Layer) -> None:
         """Eliminate a layer but for the plane before it; beyond it all are eliminated already."""
         if self.beyond is None:
             return
-        own = self.free[self.lattice.planes_of(n)].copy()
-        near = np.zeros_like(own)
-        near[0], own[0] = own[0], False
-        at, before = (np.flatnonzero(each.ravel()[layer.others]) for each in (own, near))
-        K, last = layer.left, len(self.beyond)
-        if last:
-            K = K.copy()
-            K[np.ix_(at[-last:], at[-last:])] += self.beyond
+        free = self.free[self.lattice.planes_of(n)]
+        rows = np.arange(len(free)).repeat(free[0].size)[layer.others]
+        is_free = free.ravel()[layer.others]
+        is_first, is_last = rows == 0, rows == len(free) - 1
+        inner, last, first = (
+            np.flatnonzero(is_free & at) for at in (~(is_first | is_last), is_last, is_first)
+        )
+        order = np.concatenate([inner, last, first])
+        K = layer.left[order][:, order]
+        far = slice(inner.size, inner.size + last.size)
+        K[far, far] += self.beyond
         try:
-            self.kept.append(_Following.among(K, at, before))
+            self.kept.append((order, far, _Following(K, far.stop)))
         except np.linalg.LinAlgError:
             self.beyond = None
             return
-        self.beyond = self.kept[-1].left
+        self.beyond = K[far.stop :, far.stop :]
 
     def moved(self, load: Load, layers: list[_Layer]) -> tuple[float, Floats] | None:
         """Return the compliance to a load and its motions, the layers from the middle on.
@@ -268,13 +278,15 @@ class _Mirrored:
             return None
         if not work > 0.0:
             return None
-        for n, (layer, follows) in enumerate(zip(layers, self.kept[::-1], strict=True)):
+        for n, (layer, (order, far, follows)) in enumerate(
+            zip(layers, self.kept[::-1], strict=True)
+        ):
+            own = np.concatenate([np.empty(far.stop), middle])
+            follows.fill(own)
             others = np.zeros(len(layer.left))
-            others[follows.rest] = middle
-            follows.fill(others)
-            planes = lattice.planes_of(n)
-            w[planes] = layer.whole(others)
-            middle = w[planes.stop - 1][self.free[planes.stop - 1]]
+            others[order] = own
+            w[lattice.planes_of(n)] = layer.whole(others)
+            middle = own[far]
         # eight octants, whose ends move by one each way
         return 1.0 / (2.0 * work), w / (4.0 * work)
 
@@ -283,8 +295,8 @@ class _Mirrored:
 
         ``K`` is the stiffness of what y and z = 0 leave free of it, where the end is held.
         """
-        lattice, free = self.lattice, self.free[0]
-        y, z = np.broadcast_arrays(lattice.y[0][:, None], lattice.z)
+        lattice, free = self.lattice, np.swapaxes(self.free[0], 0, 1)
+        y, z = np.broadcast_arrays(lattice.y[0], lattice.z[:, None])
         at = np.stack([y, z, np.ones_like(y)], axis=-1)
         back = -at @ np.array(load.motion, dtype=np.float64).T
         along = np.arange(3) == 0
@@ -300,7 +312,7 @@ class _Mirrored:
 
 def _factor(K: Floats) -> Floats:
     """Return the lower factor of Cholesky."""
-    return np.asarray(cholesky(K, lower=True, overwrite_a=True, check_finite=False))
+    return np.asarray(cholesky(K, lower=True, check_finite=False))
 
 
 def _solved(factor: Floats, right: Floats, *, transposed: bool = False) -> Floats:
@@ -328,22 +340,36 @@ class _Bricks:
     """Stiffness of bricks of the same face: products of what is integrated over it and over widths.
 
     It is the sum of parts that go with half the width, with nothing of it, and with its inverse.
-    Motions are in the order of their ways, of nodes of the face, and of those over the width.
+    Nodes ``off`` the edges of the face that others share or y = 0 holds come first, those of the
+    first plane of z last, then those at the ``edge``; plane by plane, all motions of a node. Those
+    of the brick ``alone``, so many motions, are the first.
     """
 
-    def __init__(self, lattice: Lattice, n: int, columns: slice, E: float, nu: float) -> None:
+    def __init__(self, lattice: Lattice, n: int, E: float, nu: float) -> None:
         lame, mu = _lame(E, nu)
-        S, D, N = _over_face(lattice, n, columns)  # of slopes, of a slope and a value, of values
-        one = element(lattice.orders[2])
+        along, across, self.wide = lattice.orders
+        S, D, N = _over_face(lattice, n)  # of slopes, of a slope and a value, of values
+        one = element(self.wide)
         M, C, K = (
             (f.T * one.weights) @ g
             for f, g in ((one.values, one.values), (one.slopes, one.values), (one.slopes,) * 2)
         )
-        nodes, width = len(N), len(M)
-        parts = np.zeros((3, 3, nodes, width, 3, nodes, width))
+        is_off = np.zeros((along + 1, across + 1), dtype=bool)
+        is_off[1:-1, 1:] = True
+        self.off, self.edge = (np.flatnonzero(each) for each in (is_off, ~is_off))
+        planes = np.arange(self.wide + 1)
+        kinds = (self.off, np.roll(planes, -1)), (self.edge, planes)
+        sizes = [3 * nodes.size * planes.size for nodes, _ in kinds]
+        cuts = slice(0, sizes[0]), slice(sizes[0], sum(sizes))
+        self.parts = np.zeros((3, sum(sizes), sum(sizes)))
+        self.alone = 3 * self.off.size * (self.wide - 1)
 
         def put(part: int, i: int, j: int, face: Floats, over: Floats) -> None:
-            parts[part, i, :, :, j] += face[:, None, :, None] * over[None, :, None, :]
+            for (nodes, at), rows in zip(kinds, cuts, strict=True):
+                for (others, there), columns in zip(kinds, cuts, strict=True):
+                    shape = at.size, nodes.size, 3, there.size, others.size, 3
+                    into = self.parts[part, rows, columns].reshape(shape)[:, :, i, :, :, j]
+                    into += over[at][:, None, there, None] * face[nodes][:, None, others]
 
         whole = S[0, 0] + S[1, 1]
         for i in range(2):
@@ -356,21 +382,15 @@ class _Bricks:
             put(2, i, i, mu * N, K)
         put(0, 2, 2, mu * whole, M)
         put(2, 2, 2, (lame + 2.0 * mu) * N, K)
-        self.parts = parts.reshape(3, 3 * nodes * width, -1)
-        self._ordered = dict[bytes, tuple[Integers, Integers, Floats]]()
 
-    def following(self, half: float, follows: Flags) -> _Following:
-        """Return a brick by half its width [m], of whose motions some follow the others."""
-        key = follows.tobytes()
-        if key not in self._ordered:  # the same of all but the last over the width
-            own, rest = np.flatnonzero(follows), np.flatnonzero(~follows)
-            order = np.concatenate([own, rest])
-            self._ordered[key] = own, rest, self.parts[:, order[:, None], order]
-        own, rest, (growing, even, falling) = self._ordered[key]
-        return _Following(half * growing + even + falling / half, own, rest)
+    def stiffness(self, half: float) -> Floats:
+        """Return that of a brick by half its width [m]."""
+        size = self.parts.shape[1]
+        K = np.array([half, 1.0, 1.0 / half]) @ self.parts.reshape(3, -1)
+        return np.asarray(K.reshape(size, size))
 
 
-def _over_face(lattice: Lattice, n: int, columns: slice) -> tuple[Floats, Floats, Floats]:
+def _over_face(lattice: Lattice, n: int) -> tuple[Floats, Floats, Floats]:
     """Return what slopes, a slope and a value, and values are together over a brick's face.
 
     Their shapes are (2, 2, nodes, nodes), (2, nodes, nodes) and (nodes, nodes).
@@ -380,7 +400,7 @@ def _over_face(lattice: Lattice, n: int, columns: slice) -> tuple[Floats, Floats
     values = np.kron(one.values, other.values)
     slopes = np.stack([np.kron(one.slopes, other.values), np.kron(one.values, other.slopes)])
     rows = lattice.planes_of(n)
-    places = np.stack([lattice.x[rows, columns].ravel(), lattice.y[rows, columns].ravel()])
+    places = np.stack([lattice.x[rows].ravel(), lattice.y[rows].ravel()])
     J = np.einsum("rgn,cn->gcr", slopes, places)
     w = np.kron(one.weights, other.weights) * np.linalg.det(J)
     d = np.einsum("grc,rgn->cgn", np.linalg.inv(J), slopes)

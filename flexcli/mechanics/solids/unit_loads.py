@@ -4,6 +4,7 @@ The coarser mesh has bricks of one order less each way; by what both differ the 
 most.
 """
 
+from collections.abc import Iterable
 from functools import cached_property, lru_cache
 from itertools import product
 
@@ -17,6 +18,7 @@ from flexcli.mechanics.solids.octant import LOADS, Moved, Octant
 __all__ = ["COARSE", "FINE", "NeckUnderLoads", "equivalent", "neck_under_loads"]
 
 Floats = NDArray[np.float64]
+Orders = tuple[int, int, int]
 
 COARSE, FINE = (3, 5, 3), (4, 6, 4)
 """Orders of the bricks along, across and over the width."""
@@ -35,6 +37,9 @@ stretches) by 0.0076, of V_z by 0.0063, of T by 0.0046, of moments and V_y by 0.
 
 KEPT = 16
 """Necks whose solution is kept, a few megabytes each: the next verb or case asks the same."""
+
+TINY = np.finfo(np.float64).tiny
+"""Least divisor of a cube of a stress [Pa³]."""
 
 VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 """Ways of the stresses as the octant has them."""
@@ -55,9 +60,18 @@ class NeckUnderLoads:
         self.elastic = E, nu
 
     @cached_property
-    def _octants(self) -> dict[tuple[int, int, int], Octant]:
+    def _octants(self) -> dict[Orders, Octant]:
         meshes = (COARSE, FINE)
         return {each: Octant(neck_lattice(self.neck, each), *self.elastic) for each in meshes}
+
+    def solve(self, indices: Iterable[int], meshes: Iterable[Orders] = (COARSE, FINE)) -> None:
+        """Solve loads that will be asked for, told by their places in a wrench.
+
+        What those in the plane and those across it have in common is then found once.
+        """
+        asked = tuple(indices)
+        for each in meshes:
+            self._octants[each].solve(asked)
 
     def compliance(self, index: int) -> tuple[float, float]:
         """Return the compliance to a unit load about the middle, and its relative error.
@@ -67,7 +81,7 @@ class NeckUnderLoads:
         coarse, fine = (self._moved(orders, index).compliance for orders in (COARSE, FINE))
         return fine, abs(coarse / fine - 1.0)
 
-    def stresses(self, wrenches: Floats, orders: tuple[int, int, int]) -> tuple[Floats, Floats]:
+    def stresses(self, wrenches: Floats, orders: Orders) -> tuple[Floats, Floats]:
         """Return the stresses of wrenches about the middle, all over the surface beside the throat.
 
         It is all that lies between the mouths, but for the last bricks where these are clamped: a
@@ -99,8 +113,10 @@ class NeckUnderLoads:
         beside = self.neck.throat + self.neck.straight / 2.0 + BEYOND * self.neck.l / 2.0
         last = (row >= near) | (lattice.x[row, column] >= beside)
         found = np.zeros((len(wrenches), 8, last.size, 6))
-        for index in np.flatnonzero(np.any(wrenches, axis=0)):
-            own = self._moved(orders, int(index)).stress[on]
+        acting = np.flatnonzero(np.any(wrenches, axis=0)).tolist()
+        self.solve(acting, [orders])
+        for index in acting:
+            own = self._moved(orders, index).stress[on]
             for octant, mirrored in enumerate(product((False, True), repeat=3)):
                 signs = _signs(LOADS[index].signs, mirrored)
                 found[:, octant] += wrenches[:, index, None, None] * (own * signs)
@@ -126,7 +142,7 @@ class NeckUnderLoads:
         )
         return abs(coarse - fine) + FINER[index] * fine
 
-    def _moved(self, orders: tuple[int, int, int], index: int) -> Moved:
+    def _moved(self, orders: Orders, index: int) -> Moved:
         found = self._octants[orders].moved(index)
         if found is None:
             hint = "leave a body as slender as that to beams"
@@ -155,10 +171,17 @@ def equivalent(stress: Floats) -> Floats:
     It has the sign of the latter. A wide throat has von Mises' below its stress along, by which
     beams are judged; in shear von Mises' is the larger.
     """
-    tensor = np.empty((*stress.shape[:-1], 3, 3))
-    for k, (i, j) in enumerate(VOIGT):
-        tensor[..., i, j] = tensor[..., j, i] = stress[..., k]
-    least, middle, most = np.moveaxis(np.linalg.eigvalsh(tensor), -1, 0)
-    mises = np.sqrt(((most - middle) ** 2 + (middle - least) ** 2 + (most - least) ** 2) / 2.0)
+    mean = stress[..., :3].sum(axis=-1) / 3.0
+    a, b, c = (stress[..., k] - mean for k in range(3))
+    d, e, f = (stress[..., k] for k in range(3, 6))
+    J = (a**2 + b**2 + c**2) / 2.0 + d**2 + e**2 + f**2
+    third = a * (b * c - d**2) - f * (f * c - d * e) + e * (f * d - b * e)
+    radius = np.sqrt(J / 3.0)
+    # cos 3θ of Lode's angle; each end from where its sum has all digits, so that signs reverse it
+    lode = np.clip(third / np.maximum(2.0 * radius**3, TINY), -1.0, 1.0)
+    most, least = (
+        mean + sign * 2.0 * radius * np.cos(np.arccos(sign * lode) / 3.0) for sign in (1.0, -1.0)
+    )
+    mises = np.sqrt(3.0 * J)
     found = np.maximum(mises, np.maximum(np.abs(most), np.abs(least)))
     return np.asarray(np.where(most >= -least, found, -found))

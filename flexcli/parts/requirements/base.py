@@ -113,6 +113,8 @@ class Requirement(Part):
     """Its numbers of which shells tell more than beams in a joint of the plane too, if any."""
     by_solids: ClassVar[bool] = False
     """Whether solids of a joint's necks tell more of it than beams."""
+    falls_with_mass: ClassVar[bool] = False
+    """Whether its number has an end without the mass that nobody knows, which only lowers it."""
     of_the_drawing: ClassVar[bool] = False
     """Whether it concerns the shape alone, which needs no model."""
     label: ClassVar[str]

@@ -36,6 +36,10 @@ class Fatigue(FactorRequirement):
         """Return whether the case has a stroke that repeats."""
         return self.covers(scene) and scene.travel > 0.0
 
+    def weighs(self, scene: Scene) -> bool:
+        """Return whether the mean of its stress is in part of what moves."""
+        return scene.is_accelerated
+
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return the stroke, and as its mean what pushes the joint in its plane or out of it."""
         pushed = scene.pushed_by | scene.across_by

@@ -20,6 +20,7 @@ class Frequency(Bound):
 
     label: ClassVar[str] = "frequency"
     by_solids: ClassVar[bool] = True
+    falls_with_mass: ClassVar[bool] = True
     is_warmed: ClassVar[bool] = True
 
     min: _Hertz | None = None
