@@ -27,11 +27,13 @@ from flexcli.parts.requirements import Ask
 from flexcli.parts.scene import IN_PLANE, Scene
 
 __all__ = [
+    "Solver",
     "at_rest",
     "at_temperature",
     "blades_of",
     "by_weight_alone",
     "driven_axis",
+    "exactly",
     "fields",
     "layout_of",
     "linearly",

@@ -2,15 +2,18 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.joint_states import layout_of, warmed
+from flexcli.formulas.amplified import FURTHER, bent_part
 from flexcli.formulas.plate_factors import bound
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.mesh import single
 from flexcli.numerics.rows import one_alone
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Held
 from flexcli.parts.requirements import Ask
 from flexcli.parts.requirements.warm_shift import EndShift, WarmShift
@@ -39,8 +42,12 @@ def warm_shift(ask: Ask, shifts: Shifts) -> WarmShift:
     free: Held = None, None, 0.0 if geometry.is_guided else None
     rest = geometry.held(0.0) if scene.moves else free
     heat, off = _with_rest(*shifts(_variants(layout, alike, unsure, plates), rest))
+    raised = FURTHER + plates  # as much as plates may be stiffer
+    hotter = layout.grown(1.0 + raised)
     if not scene.moves:
-        return WarmShift((EndShift(0.0 * heat, heat, 0.0 * heat, off),), plates, held)
+        none = 0.0 * heat
+        bent = _bent(shifts, hotter, rest, (none, heat), raised)
+        return WarmShift((EndShift(none, heat, none, bent, off),), plates, held, raised)
     # what a modulus may differ by is of the stroke's share as well
     unlike = _drifted(layout, scene.temperature.unlike(grown, ask.material, geometry.axes))
     ends = list[EndShift]()
@@ -48,8 +55,24 @@ def warm_shift(ask: Ask, shifts: Shifts) -> WarmShift:
         at = geometry.held(travel)
         cold, unsettled = _with_rest(*shifts(drawn, at))
         warm, drifted = _with_rest(*shifts(unlike, at))
-        ends.append(EndShift(cold, heat, warm - cold - heat, off + unsettled + drifted))
-    return WarmShift(tuple(ends), plates, held)
+        bent = _bent(shifts, hotter, at, (cold, warm), raised)
+        ends.append(EndShift(cold, heat, warm - cold - heat, bent, off + unsettled + drifted))
+    return WarmShift(tuple(ends), plates, held, raised)
+
+
+def _bent(
+    shifts: Shifts, hotter: Layout, held: Held, of: tuple[Floats, Floats], raised: float
+) -> float:
+    """Return what heat makes of a shift by bending what is deformed [m], see ``bent_part``.
+
+    ``of`` are the shifts without the heat and with it, ``raised`` by what share it is more in the
+    layout. It is endless where that buckles.
+    """
+    try:
+        further = shifts(hotter, held)[0][0]
+    except NotAvailable:
+        return inf
+    return float(np.linalg.norm(bent_part(*of, further, raised)))
 
 
 def _with_rest(shifts: Floats, unsettled: Floats) -> tuple[Floats, float]:
