@@ -386,15 +386,13 @@ class Corrected(JointModel):
         of_stiffness = kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY)
         if not (of_stiffness or (kind is QuantityKind.SAG and along)):
             return error
-        unlike = self._unlike(ask)
         try:
-            each = (ask._replace(scene=ask.scene.at_assembly()), ask)
-            cold, warm = (number(self.inner.stiffness(one)) for one in each)
+            unlike, share = self._unlike(ask), self.inner.heat_in_stiffness(ask)
         except NotAvailable:
             return None
         if unlike is None:
             return None
-        off = unlike * abs(cold / warm - 1.0)
+        off = unlike * share
         low, high = larger(1.0 - off, 0.0), 1.0 + off
         if kind is QuantityKind.SAG:
             return error + ErrorRange(1.0 / high - 1.0, 1.0 / low - 1.0) if off < 1.0 else None

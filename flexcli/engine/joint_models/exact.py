@@ -25,6 +25,7 @@ from flexcli.engine.joint_models.states_beside import states_beside, trail_of
 from flexcli.engine.joint_models.warm_shift import Shifts, warm_shift
 from flexcli.engine.joint_models.wide_under_force import factors_of_states
 from flexcli.engine.planning.coverage import COVERAGE, covered
+from flexcli.formulas.amplified import FURTHER, bent_part
 from flexcli.formulas.blade_spring import Warping
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.equilibrium import LEVELS
@@ -40,6 +41,7 @@ from flexcli.numerics.rows import (
     isfinite,
     larger,
     largest_of_each,
+    number,
     of_each,
     one_alone,
     states_of,
@@ -174,6 +176,20 @@ class ExactModel(JointModel):
         if ask.scene.temperature is not None:
             error += held_bending(warmed(ask), ask.material.elastic.most_nu)
         return found, error
+
+    def heat_in_stiffness(self, ask: Ask) -> Number:
+        """Return what heat changes of it, and what it does by bending what is deformed."""
+
+        def at(warmth: float) -> Floats:
+            layout, held = at_rest(ask, self.effects, warmth)
+            state = solved(
+                layout, held, effects=blades_of(layout, self.effects),
+                tolerance=self.tolerance, levels=self.levels[:1],
+            )  # fmt: skip
+            return driven_stiffness(state, ask)
+
+        cold, warm, hotter = (at(warmth) for warmth in (0.0, 1.0, 1.0 + FURTHER))
+        return number((np.abs(cold - warm) + bent_part(cold, warm, hotter)) / warm)
 
     def stiffness_at_end(self, ask: Ask) -> float:
         """Return the tangent of the effort at the end of the stroke, under the case's forces."""

@@ -284,6 +284,13 @@ class JointModel(ABC):
         """Return the effects that a kind of number and its error have, beside those of all."""
         return frozenset()
 
+    def heat_in_stiffness(self, ask: Ask) -> Number:
+        """Return the share of the stiffness at a temperature that would not follow that of blades.
+
+        Heat takes no more of it, and gives no more, where blades are stiffer.
+        """
+        raise NotAvailable(WARM)
+
     def bent(self, ask: Ask) -> Bent:
         """Return what of its stress loads and heat make by bending what is deformed."""
         return Bent(0.0)
