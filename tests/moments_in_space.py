@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from flexcli.engine.joint_models.space_errors import FURTHER, bent_by_forces
 from flexcli.errors import SolveError
+from flexcli.formulas.amplified import FURTHER, bent_by_forces
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.exact.equilibrium import solve
 from flexcli.mechanics.space.exact.rotation import matrix_of

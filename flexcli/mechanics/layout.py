@@ -6,7 +6,7 @@ differ in nothing but numbers; positions are global, in the pose in which nothin
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, TypeAlias
 
 from flexcli.formulas.profile import Profile
@@ -74,6 +74,11 @@ class Load(NamedTuple):
     moment: Number = 0.0
     follows: bool = False
 
+    def times(self, share: Number) -> "Load":
+        """Return it so many times as large."""
+        x, y = self.force
+        return self._replace(force=(share * x, share * y), moment=share * self.moment)
+
 
 @dataclass(frozen=True, eq=False)
 class Layout:
@@ -99,6 +104,12 @@ class Layout:
     body_growth: Mapping[str, Number] = field(default_factory=dict)
     blade_growth: Mapping[str, Number] = field(default_factory=dict)
     prepared: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
+
+    def grown(self, share: Number) -> "Layout":
+        """Return a layout that has grown by so many times as much."""
+        each = (self.body_growth, self.blade_growth)
+        of_bodies, of_blades = ({name: share * g for name, g in part.items()} for part in each)
+        return replace(self, body_growth=of_bodies, blade_growth=of_blades)
 
     def index(self, name: str) -> int:
         """Return where a body stands among those that may move; it must be one of them."""

@@ -174,13 +174,13 @@ def critical_load(
     rest = solve(
         cold, along, start=start, effects=effects, tolerance=tolerance, levels=levels
     ).checked()
-    coarse, grows = rest.parts[0].assembly, _grown(layout, most)
-    if grows is not None:
-        coarse = assemble(grows, effects, coarse.nodes)
+    coarse, grows = rest.parts[0].assembly, bool(layout.body_growth or layout.blade_growth)
+    if grows:
+        coarse = assemble(layout.grown(most), effects, coarse.nodes)
     index, free, _ = held_of(layout, held, coarse.length)
     if inertia_count_held(rest, held)[0]:
         raise unstable_start()
-    demand = demand_of(coarse, along, pattern, most, rest)._replace(grown=grows is None)
+    demand = demand_of(coarse, along, pattern, most, rest)._replace(grown=not grows)
     demands = demand, demand._replace(held=index, free=free)
     gaits = (_STRIDES, _STEPS) if careful else (_STRIDES,)
     search, found = _first(coarse, demands, rest.parts[0].x[0], most, gaits)
@@ -188,17 +188,6 @@ def critical_load(
         return _critical(search, found, np.inf, most)
     finer_levels = (level for level in levels if level > coarse.nodes)
     return _critical(*refined(search, found, finer_levels, tolerance), most)
-
-
-def _grown(layout: Layout, factor: float) -> Layout | None:
-    """Return a layout that has grown by so many times more, or nothing where it does not grow."""
-    if not (layout.body_growth or layout.blade_growth):
-        return None
-    return replace(
-        layout,
-        body_growth={name: factor * strain for name, strain in layout.body_growth.items()},
-        blade_growth={name: factor * strain for name, strain in layout.blade_growth.items()},
-    )
 
 
 def _together(held: Held, driven: Held) -> Held:

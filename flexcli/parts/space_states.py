@@ -6,6 +6,7 @@ unknown.
 """
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import product
 from math import inf, isfinite
 from typing import NamedTuple
@@ -26,9 +27,11 @@ from flexcli.mechanics.space.states import (
     warmed,
 )
 from flexcli.mechanics.space.stresses import equivalent, hinge_error, hinge_range
+from flexcli.parts.material import Material
 from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
+from flexcli.parts.temperature import alike, held_lengths
 from flexcli.parts.worst_places import worst_places
 from flexcli.results import ErrorRange
 
@@ -51,6 +54,7 @@ __all__ = [
     "left_by_temperature",
     "linear_error",
     "motions",
+    "moved_by_lengths",
     "senses",
     "spring_change",
     "spring_error",
@@ -206,6 +210,30 @@ def bent_by_gradient(joint: SpaceJoint, scene: Scene) -> tuple[float, Floats]:
     times = TWOFOLD if scene.moves else 1.0
     motion = assembly.motion(drive.body, drive.point) @ moved.coordinates[:, 0]
     return times * stress, times * np.abs(motion)
+
+
+def moved_by_lengths(joint: SpaceJoint, scene: Scene, material: Material) -> tuple[float, Floats]:
+    """Return the most that unsure lengths of warm blades add: stress [Pa], motion of the drive.
+
+    The motion is that of the driven point, shift [m] and rotation [rad] (6,). Both are of small
+    motion, of each kind of blades by itself: clamps make those that are alike as much longer.
+    """
+    assembly, drive, unsure = (
+        joint.assembly,
+        joint.layout.drive,
+        held_lengths(joint.layout, material),
+    )
+    at, none = assembly.motion(drive.body, drive.point), np.zeros((len(assembly.members), 3))
+    stress, motion = 0.0, np.zeros(6)
+    for names in alike(joint.layout.blades):
+        own = {name: unsure[name] for name in names}
+        longer = replace(joint.layout, body_growth={}, blade_growth=own)
+        misfits = replace(assembly, layout=longer).growth()[:, None]
+        moved = assembly.moved(misfits=misfits, travel=np.zeros(1) if scene.moves else None)
+        of_blades = Stresses(assembly).of(moved.forces[:, 0], none)
+        stress += max(map(largest_stress, of_blades))
+        motion += np.abs(at @ moved.coordinates[:, 0])
+    return stress, motion
 
 
 def left_by_temperature(ask: Ask) -> tuple[float, ...]:

@@ -22,6 +22,7 @@ from flexcli.parts.over_temperature import Kelvin
 
 __all__ = [
     "Temperature",
+    "alike",
     "held_across",
     "held_bending",
     "held_lengths",
@@ -67,6 +68,9 @@ VARYING_ERROR = 1.0, 2.0
 """Of other thicknesses that vary, of which it is left out: of 0.15 + ν times the largest thickness,
 and of what holding the width of a sheet makes, of which solids of notches had at most 0.5 and 1.64.
 """
+
+DIGITS = 9
+"""Of sizes that count as the same."""
 
 MIDDLE_NU = 0.25
 """Poisson's ratio amid those from 0 to ½."""
@@ -158,7 +162,23 @@ def held_stress(
     return material.elastic.E * held_across(warm)
 
 
-def held_lengths(layout: Layout, material: Material) -> dict[str, float]:
+def alike(blades: Iterable[Blade | SpaceBlade | SpaceRod]) -> list[list[str]]:
+    """Return the names of blades of the same sizes, together."""
+    found = dict[tuple[str, ...], list[str]]()
+    for blade in blades:
+        l = _length(blade)
+        if isinstance(blade, SpaceRod):
+            sizes = [blade.d]
+        else:
+            thick = (np.ravel(each.thickness(ALONG_PIECE)) for each in blade.profile.pieces(l))
+            sizes = [single(blade.b), *np.concatenate(list(thick)).tolist()]
+        kind = blade if isinstance(blade, SpaceRod) else blade.profile
+        key = (type(kind).__name__, *(f"{size:.{DIGITS}g}" for size in (l, *sizes)))
+        found.setdefault(key, []).append(blade.name)
+    return list(found.values())
+
+
+def held_lengths(layout: Layout | SpaceLayout, material: Material) -> dict[str, float]:
     """Return by how much the growth of each blade is unsure by clamps that hold it across [-].
 
     It has the sign of what the blade grows more than its clamps. All of what any Poisson's ratio
@@ -188,9 +208,11 @@ def usual_nu(elastic: Elastic) -> float:
     return MIDDLE_NU if elastic.nu is None else elastic.nu
 
 
-def _unsure_share(blade: Blade, material: Material) -> float:
+def _unsure_share(blade: Blade | SpaceBlade | SpaceRod, material: Material) -> float:
     """Return the error of ``held_share`` of a blade of a known Poisson's ratio [-]."""
     l, nu = _length(blade), material.elastic.most_nu
+    if isinstance(blade, SpaceRod):
+        return HELD_ERROR * held_share(blade, nu)
     is_even, notch = isinstance(blade.profile, Constant), _of_notch(blade, nu)
     if notch is not None and not material.is_directed:
         rigid, soft = notch
@@ -241,11 +263,11 @@ def sheared_across(layout: Layout) -> float:
     return found
 
 
-def _length(blade: Blade | SpaceBlade | SpaceStar) -> float:
+def _length(blade: Blade | SpaceBlade | SpaceRod) -> float:
     return hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
 
 
-def _thickest(blade: Blade, l: float) -> float:
+def _thickest(blade: Blade | SpaceBlade, l: float) -> float:
     pieces = blade.profile.pieces(l)
     return max(float(np.max(piece.thickness(ALONG_PIECE))) for piece in pieces)
 

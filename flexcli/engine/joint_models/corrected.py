@@ -4,14 +4,17 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from math import inf
 
+import numpy as np
+
 from flexcli.engine.joint_models.built_on import BuiltOn
 from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.formulas.amplified import amplified
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.effects.estimate import MOST
-from flexcli.parts.effects.plate import change_by_loads, flattest, pulled, stretched
+from flexcli.parts.effects.plate import change_by_loads, flattest, pulled, stretched, widest
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import (
@@ -104,8 +107,9 @@ class Corrected(BuiltOn):
         factor = self._factor(ask, QuantityKind.STIFFNESS)
         widens = self._widening(ask, QuantityKind.STIFFNESS) is not None
         most = larger(factor, flattest(_setting(ask)) if widens else 1.0)
-        stiffened = factor != 1.0 or most != 1.0
-        plain = float(self.inner.stiffness(ask)) if stiffened else 0.0
+        stiffened, warm = factor != 1.0 or most != 1.0, ask.scene.temperature is not None
+        cold = ask._replace(scene=ask.scene.at_assembly())
+        plain = float(self.inner.stiffness(cold)) if stiffened or warm else 0.0
         other, flat = larger(abs(factor - 1.0), most / factor - 1.0), self._flattened(ask)
         given = self.inner.effort(ask)
         borne = self._borne(ask, given, factor, most) if stiffened else [NOTHING_BORNE] * len(given)
@@ -118,6 +122,8 @@ class Corrected(BuiltOn):
             error = None if known is None else self._left(ask, QuantityKind.STIFFNESS, known)
             if error is not None and whole != 0.0:
                 share = larger(abs(own / whole), 1.0)
+                if warm:  # which presses and pulls no less if blades are stiffer
+                    share = larger(share, abs(factor * plain * travel / whole))
                 beside = abs(own - factor * plain * abs(travel)) * other if stiffened else 0.0
                 off = (beside + unsure) / abs(whole)
                 error = ErrorRange(share * error.low - off, share * (error.high + flat) + off)
@@ -315,15 +321,41 @@ class Corrected(BuiltOn):
             if EffectName.THICK_NOTCH not in self.inner.always:  # solids have the peak itself
                 low = (1.0 + low) * (1.0 - ask.geometry.peaks_above(ask.sizes)) - 1.0
             return ErrorRange(low, high) if isfinite(low) and isfinite(high) else None
+        left = self._left(ask, kind, found)
+        if left is not None and ask.scene.temperature is not None:
+            left = self._strained(ask, kind, left)
         if kind is not QuantityKind.SAG or not ask.scene.sags:
-            return self._left(ask, kind, found)
+            return left
         from flexcli.parts.strained_compliance import beyond_linear_sag
 
-        left, more = self._left(ask, kind, found), beyond_linear_sag(ask)
-        heat = self._beside_sag(ask)
+        more, heat = beyond_linear_sag(ask), self._beside_sag(ask)
         if left is None or more is None or heat is None:
             return None
         return left + heat + ErrorRange(-more, more)
+
+    def _strained(self, ask: Ask, kind: QuantityKind, error: ErrorRange) -> ErrorRange | None:
+        """Return the error of a number that follows from the stiffness, at a temperature.
+
+        What heat strains presses and pulls no less where blades are stiffer: of a stiffness that it
+        takes away their errors are of what is left.
+        """
+        along = ask.geometry.sags_along_stroke(ask.scene.axis) if ask.scene.sags else True
+        of_stiffness = kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY)
+        if not (of_stiffness or (kind is QuantityKind.SAG and along)):
+            return error
+        try:
+            unlike, share = self._unlike(ask), self.inner.heat_in_stiffness(ask)
+        except NotAvailable:
+            return None
+        if unlike is None:
+            return None
+        off = unlike * share
+        low, high = larger(1.0 - off, 0.0), 1.0 + off
+        if kind is QuantityKind.SAG:
+            return error + ErrorRange(1.0 / high - 1.0, 1.0 / low - 1.0) if off < 1.0 else None
+        if kind is QuantityKind.FREQUENCY:
+            low, high = low**0.5, high**0.5
+        return error + ErrorRange(low - 1.0, high - 1.0)
 
     def _warm_shift(self, ask: Ask) -> tuple[float, ErrorRange | None]:
         """Return the shift at a temperature and its error: what is corrected is the stroke's share.
@@ -332,18 +364,18 @@ class Corrected(BuiltOn):
         """
         from flexcli.parts.requirements.warm_shift import combined
 
+        warm, bending = self.inner.warm_shift(ask), self._unlike(ask)
         if not ask.scene.moves:
-            return _between(*combined(self.inner.warm_shift(ask)))
+            found = _between(*combined(warm, bending=number(bending or 0.0)))
+            return found if bending is not None else (found[0], None)
         cold = ask._replace(scene=ask.scene.at_assembly())
-        own, warm = abs(float(self.parasitic_shift(cold))), self.inner.warm_shift(ask)
+        own = abs(float(self.parasitic_shift(cold)))
         factor = own / warm.cold if warm.cold else 1.0
         known = self.error(cold, QuantityKind.SHIFT) if warm.cold else EXACT
         known = None if known is None else ask.doubted(known, QuantityKind.SHIFT)
-        bending = self.error(cold, QuantityKind.STIFFNESS)
         if known is None or bending is None:
             return combined(warm, factor=factor)[0], None
-        softer = bending.largest + abs(self._factor(cold, QuantityKind.STIFFNESS) - 1.0)
-        errors = {"cold_error": known.largest, "bending": number(softer)}
+        errors = {"cold_error": known.largest, "bending": number(bending)}
         return _between(*combined(warm, factor=factor, **errors))
 
     def _beside_sag(self, ask: Ask) -> ErrorRange | None:
@@ -379,7 +411,10 @@ class Corrected(BuiltOn):
         if scene.moves:
             found += self._of_forces(ask)
         if scene.is_loaded:
-            found += self._of_loads(ask) + self._of_pulled(ask)
+            bent = self._of_bent(ask)
+            if bent is None:
+                return None
+            found += self._of_loads(ask) + self._of_pulled(ask) + self._of_heat(ask) + bent
         if scene.push:
             factor, wide = self._of_push(ask)
             pushed = self._of_pushed_travel(ask) + ErrorRange(-wide, wide)
@@ -404,6 +439,36 @@ class Corrected(BuiltOn):
         except NotAvailable:
             return None
         return found + ErrorRange(-more, more)
+
+    def _of_bent(self, ask: Ask) -> ErrorRange | None:
+        """Return what blades that loads and heat bend leave, which are as stiff as they are.
+
+        What a model has in its stress it has in what bends it.
+        """
+        try:
+            bent = self.inner.bent(ask)
+        except NotAvailable:  # a little more of them buckles it
+            return None
+        if not np.any(bent.share):
+            return ErrorRange(0.0, 0.0)
+        softer = self._unlike(ask, self.inner.carries(ask, QuantityKind.STRESS))
+        if softer is None:
+            return None
+        unlike = softer + bent.unlike
+        return ErrorRange(-bent.share * unlike, amplified(bent.share, unlike))
+
+    def _unlike(self, ask: Ask, carried: frozenset[EffectName] = frozenset()) -> Number | None:
+        """Return by how much blades that bend are off in stiffness, beside those of the model.
+
+        What corrects their stiffness at assembly counts as an error of what forces bend.
+        """
+        cold = ask._replace(scene=ask.scene.at_assembly())
+        known = self.inner.error(cold, QuantityKind.STIFFNESS)
+        left = None if known is None else self._left(cold, QuantityKind.STIFFNESS, known, carried)
+        if left is None:
+            return None
+        factor = self._factor(cold, QuantityKind.STIFFNESS, carried)
+        return number(left.largest) + abs(factor - 1.0)
 
     def _of_nearer_end(self, ask: Ask) -> ErrorRange:
         """Return what corrections that grow with the travel do not do at its nearer end.
@@ -475,6 +540,25 @@ class Corrected(BuiltOn):
         off = 0.0 if ask.scene.moves else pulled(setting) * bent / largest
         low, high = (share * (each / value - 1.0) for each in (low, high))
         return ErrorRange(low - off, high + off)
+
+    def _of_heat(self, ask: Ask) -> ErrorRange:
+        """Return what wide blades leave that heat bends: by motions, and in any shape.
+
+        Of a stress beside that of a stroke which is corrected, and of all without one.
+        """
+        scene, setting = ask.scene, _setting(ask)
+        if scene.temperature is None or self._widening(ask) is None:
+            return ErrorRange(0.0, 0.0)
+        if scene.moves:
+            share = self._share_beside(ask)
+            is_corrected = bool(scene.mean_travel) or not scene.push
+            factor = self._factor(ask, QuantityKind.STRESS) if is_corrected else 1.0
+        else:
+            each = [(abs(s.amplitude) + abs(s.mean), s.largest) for s in self.stresses(ask)[1]]
+            bent, largest = (larger(map(number, part)) for part in zip(*each, strict=True))
+            share, factor = bent / larger(abs(largest), LEAST_STRESS), 1.0
+        low, high = (share * (most / factor - 1.0) for most in (1.0, widest(setting)))
+        return ErrorRange(smaller(low, 0.0), larger(high, 0.0))
 
     def _of_forces(self, ask: Ask) -> ErrorRange:
         """Return what of the largest stress forces along wide blades leave, see plates.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.bent_in_plane import bent_in_plane
 from flexcli.engine.joint_models.blade_weight import BladeWeights
 from flexcli.engine.joint_models.buckling import SETTLED, exact_critical, warm_shares
 from flexcli.engine.joint_models.face_stress import PlateStresses, worst_of_stroke
@@ -15,6 +16,7 @@ from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
     at_rest,
     blades_of,
+    exactly,
     solved,
     warmed,
 )
@@ -23,6 +25,7 @@ from flexcli.engine.joint_models.states_beside import states_beside, trail_of
 from flexcli.engine.joint_models.warm_shift import Shifts, warm_shift
 from flexcli.engine.joint_models.wide_under_force import factors_of_states
 from flexcli.engine.planning.coverage import COVERAGE, covered
+from flexcli.formulas.amplified import FURTHER, bent_part
 from flexcli.formulas.blade_spring import Warping
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.equilibrium import LEVELS
@@ -33,7 +36,16 @@ from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import BladeStress, beside_beam, blade_stress
 from flexcli.mechanics.tangent import held_stiffness
-from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, one_alone, states_of
+from flexcli.numerics.rows import (
+    Number,
+    isfinite,
+    larger,
+    largest_of_each,
+    number,
+    of_each,
+    one_alone,
+    states_of,
+)
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
@@ -41,6 +53,7 @@ from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import hanging_mass
 from flexcli.parts.requirements import (
     Ask,
+    Bent,
     CriticalShare,
     DriveEffort,
     EndStress,
@@ -105,12 +118,14 @@ class ExactModel(JointModel):
         self._known_critical: Remembered[tuple[Critical, ...]] = Remembered(of_blades=True)
         self._known_sags: Remembered[Told] = Remembered()
         self._known_warm: Remembered[WarmShift] = Remembered(of_blades=True)
+        self._known_bent: Remembered[Number] = Remembered("exact", of_blades=True)
 
     def shares(self, other: JointModel) -> None:
         """Share the equilibria of beams, which other exact models have as well."""
         if isinstance(other, ExactModel):
             self._known_trails, self._known_states = other._known_trails, other._known_states
             self._known_critical, self._known_warm = other._known_critical, other._known_warm
+            self._known_bent = other._known_bent
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the solver's own error: by how much its last two levels of nodes differ.
@@ -161,6 +176,20 @@ class ExactModel(JointModel):
         if ask.scene.temperature is not None:
             error += held_bending(warmed(ask), ask.material.elastic.most_nu)
         return found, error
+
+    def heat_in_stiffness(self, ask: Ask) -> Number:
+        """Return what heat changes of it, and what it does by bending what is deformed."""
+
+        def at(warmth: float) -> Floats:
+            layout, held = at_rest(ask, self.effects, warmth)
+            state = solved(
+                layout, held, effects=blades_of(layout, self.effects),
+                tolerance=self.tolerance, levels=self.levels[:1],
+            )  # fmt: skip
+            return driven_stiffness(state, ask)
+
+        cold, warm, hotter = (at(warmth) for warmth in (0.0, 1.0, 1.0 + FURTHER))
+        return number((np.abs(cold - warm) + bent_part(cold, warm, hotter)) / warm)
 
     def stiffness_at_end(self, ask: Ask) -> float:
         """Return the tangent of the effort at the end of the stroke, under the case's forces."""
@@ -400,6 +429,22 @@ class ExactModel(JointModel):
             return found, inf
         own_off = SAMPLED if plates is None else SAMPLED + plates.unsure
         return found, (change / most if most else 0.0) + own_off
+
+    def bent(self, ask: Ask) -> Bent:
+        """Return what loads and heat bend, in a design nearby where there is one.
+
+        Clamps that hold blades across change how stiff they are besides.
+        """
+        scene, about = ask.scene, ask if ask.near is None else ask.near._replace(scene=ask.scene)
+        if not scene.is_loaded:
+            return Bent(0.0)
+        solver = exactly(self.effects, self.tolerance, self.levels)
+        share = self._known_bent.of(
+            "bent", about, lambda: bent_in_plane(about, self.states(about), solver)
+        )
+        if scene.temperature is None:
+            return Bent(share)
+        return Bent(share, held_bending(warmed(ask), ask.material.elastic.most_nu))
 
     def stress_along(self, ask: Ask, index: int, points: int) -> BladeStress:
         """Return the stress along a blade in a case's states, at places on each of its pieces."""

@@ -27,11 +27,13 @@ from flexcli.parts.requirements import Ask
 from flexcli.parts.scene import IN_PLANE, Scene
 
 __all__ = [
+    "Solver",
     "at_rest",
     "at_temperature",
     "blades_of",
     "by_weight_alone",
     "driven_axis",
+    "exactly",
     "fields",
     "layout_of",
     "linearly",
@@ -196,10 +198,9 @@ def warmed(ask: Ask) -> Layout:
     return temperature.warmed(layout, ask.material, ask.geometry.axes)
 
 
-def _left_by_temperature(ask: Ask, effects: Effects) -> Floats:
-    """Return how far the temperature of a case alone moves its body (x, y, φ) [m, m, rad]."""
+def _left_by_temperature(ask: Ask, effects: Effects, layout: Layout) -> Floats:
+    """Return how far a layout that has grown moves its body (x, y, φ) [m, m, rad]."""
     one_alone()
-    layout = warmed(ask)
     guided = 0.0 if ask.geometry.is_guided else None
     held = {MOVING: (None, None, guided)}
     found = solved(layout, held, effects=blades_of(layout, effects))
@@ -211,7 +212,7 @@ def at_temperature(ask: Ask) -> tuple[float, ...]:
 
     x and y are the axes of cases.
     """
-    x, y, phi = _left_by_temperature(ask, Effects()).tolist()
+    x, y, phi = _left_by_temperature(ask, Effects(), warmed(ask)).tolist()
     c, s = cos(ask.geometry.axes), sin(ask.geometry.axes)
     return c * x + s * y, c * y - s * x, phi
 
@@ -348,11 +349,15 @@ def linearly(
     return found
 
 
-def at_rest(ask: Ask, effects: Effects) -> tuple[Layout, Held]:
-    """Return the joint at rest, its driven motion held where the case's temperature leaves it."""
+def at_rest(ask: Ask, effects: Effects, warmth: float = 1.0) -> tuple[Layout, Held]:
+    """Return the joint at rest, its driven motion held where the case's temperature leaves it.
+
+    ``warmth`` is the share that it has of what that strains.
+    """
     layout, travel = warmed(ask), 0.0
     if ask.scene.temperature is not None:
-        travel = float(_left_by_temperature(ask, effects)[driven_axis(ask.geometry)])
+        layout = layout if warmth == 1.0 else layout.grown(warmth)
+        travel = float(_left_by_temperature(ask, effects, layout)[driven_axis(ask.geometry)])
     return layout, {MOVING: ask.geometry.held(travel)}
 
 

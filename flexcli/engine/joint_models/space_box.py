@@ -91,7 +91,7 @@ def exact_box(ask: Ask) -> tuple[SweptBox, tuple[str, ...]]:
     @cache
     def plain() -> Sweep:
         at = known if scene.moves else np.zeros(1)
-        states = [at_travel(ask, float(travel), warm=False) for travel in at]
+        states = [at_travel(ask, float(travel), warmth=0.0) for travel in at]
         return _spread(_of_states(ask, _joint(ask, warm=False), states), known, travels)
 
     @cache

@@ -63,7 +63,7 @@ def critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     most = ask.most_share
     for travel in dict.fromkeys(scene.stroke_ends):
-        known = blades.errors(at_travel(ask, travel, blades, warm=False))
+        known = blades.errors(at_travel(ask, travel, blades, warmth=0.0))
         beams = _path_at(ask, travel, BEAMS)
         soft = _with_soft_blocks(layout, beams) if blades is BEAMS and known else None
         for signs in senses(scene, len(groups)):
@@ -175,7 +175,7 @@ def _path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
     """Return how loads grow at an end of a stroke; a guide is not among what is held."""
     if not ask.scene.moves:
         return _Path(None, None)
-    state = at_travel(ask, travel, blades, warm=False)
+    state = at_travel(ask, travel, blades, warmth=0.0)
     own = driven_coordinate(state.layout) % 6
     return _Path({state.layout.drive.body: [travel if i == own else None for i in range(6)]}, state)
 

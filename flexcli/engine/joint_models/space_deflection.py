@@ -201,7 +201,7 @@ def deflections(
     for signs in senses_beside(scene, beside):
         strained = _Strained.by(ask, beside, signs)
         try:
-            at_rest = at_travel(ask, 0.0, warm=False)
+            at_rest = at_travel(ask, 0.0, warmth=0.0)
             rest = still = compliance_along_cases(ask, at_rest, CENTRE, locked=False)
             ends: Iterable[float | None] = dict.fromkeys(scene.stroke_ends)
             if strained.states:
@@ -333,7 +333,7 @@ class _Asked:
         off = self._grown(own, work)
         if self.springs is None:
             # what is off of a stiffness by as much is more of a compliance that it raises
-            of_change = max(STROKE_ERROR, self.of_strain * (1.0 + share))
+            of_change = max(STROKE_ERROR, _of_strain(self.of_strain, share) * (1.0 + share))
             off += of_change * used + max(ASTRAY, self.unsure) * share * work
         elif end.travel != 0.0:
             off += self.springs.off(used, work)
@@ -457,19 +457,22 @@ def warm_sag_ratio(ask: Ask) -> Told:
     body = joint.layout.body(joint.layout.drive.body)
     try:
         cold, warm, left = (
-            float(row @ at_travel(ask, None, loads=own, warm=heat).motion_of(body.name, body.point))
-            for own, heat in ((loads, False), (loads, True), ((), True))
+            float(
+                row @ at_travel(ask, None, loads=own, warmth=heat).motion_of(body.name, body.point)
+            )
+            for own, heat in ((loads, 0.0), (loads, 1.0), ((), 1.0))
         )
     except SolveError as failed:
         raise NotAvailable(f"has no sag by exact beams: {failed}") from failed
     ratio = (warm - left) / cold
-    off = _Strained.by(ask, (), ()).error() * abs(ratio - 1.0) + SOLVED
-    return Told(ratio, ErrorRange(-off, off))
+    share = abs(ratio - 1.0)
+    off = _of_strain(_Strained.by(ask, (), ()).error(), share) * share + SOLVED
+    return Told(ratio, ErrorRange(-off, off) if off < inf else None)
 
 
 def load_error(ask: Ask) -> float:
     """Return by what share of itself what the size of a load changes is off by beams, at most."""
-    known = BEAMS.errors(at_travel(ask, 0.0, warm=False))
+    known = BEAMS.errors(at_travel(ask, 0.0, warmth=0.0))
     return LOAD_ERROR if known is None else min(LOAD_ERROR, OF_SUPPORT * known.support)
 
 
@@ -525,9 +528,19 @@ def _tangent(strained: _Strained, travel: float | None, blades: Blades) -> _Tang
         return _Tangent(travel, beams, finest, coarser, None, pose)
     off = (1.0 + ask.clamp_softening) / (1.0 - known.support) - 1.0
     if strained.states:
-        cold = compliance(at_travel(ask, 0.0, warm=False))
-        off += strained.error() * _largest_share(beams - cold, cold)
+        cold = compliance(at_travel(ask, 0.0, warmth=0.0))
+        share = _largest_share(beams - cold, cold)
+        off += _of_strain(strained.error(), share) * share
     return _Tangent(travel, beams, finest, coarser, off, pose)
+
+
+def _of_strain(unlike: float, share: float) -> float:
+    """Return the error of what strain makes of a compliance, by that of what it takes of stiffness.
+
+    ``share`` is what it makes of it; it is endless where the stiffness may be gone.
+    """
+    left = 1.0 - unlike * share
+    return unlike / left if left > 0.0 else inf
 
 
 def _either_way(

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.amplified import amplified
 from flexcli.formulas.card import Range
 from flexcli.formulas.clamped_star import stiffer_across
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
@@ -29,12 +30,10 @@ from flexcli.mechanics.space.springs import MemberSprings, springs_of
 
 __all__ = [
     "AT_STROKE",
-    "FURTHER",
     "SEEN",
     "Bend",
     "StrokeErrors",
     "beam_errors",
-    "bent_by_forces",
     "hinges_more",
     "shell_errors",
     "springs_without_blocks",
@@ -63,7 +62,7 @@ class StrokeErrors(NamedTuple):
 
         ``bent`` [-] is that of :func:`bent_by_forces`: it is as far off as the stiffness is.
         """
-        return self.stress + self.support * bent
+        return self.stress + (amplified(bent, self.support) if bent else 0.0)
 
 
 class Bend(NamedTuple):
@@ -148,9 +147,6 @@ single blades, whose meshes leave as much (``tests/benchmarks/blades_at_stroke.p
 
 UNSEEN = 9e-3
 """Of the moments of rods and of blades that are stiffer one way, which were not looked at."""
-
-FURTHER = 0.05
-"""Share by which loads are raised, and a stroke lessened, to see what they bend."""
 
 THICK = 0.4
 """Share of (h/l)² besides: of what clamps do to the shear of a thick blade beams have no more than
@@ -267,33 +263,6 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
     nominal = moments + MOMENTS + UNSEEN * (not plain)
     support, shift, moments = (each + crossed for each in (support, shift, nominal))
     return StrokeErrors(support, shift, moments, _cancelled(state))
-
-
-def bent_by_forces(rest: Floats, less: Floats | None, here: Floats, further: Floats) -> Floats:
-    """Return what share of a stress forces make by bending what is deformed [-].
-
-    ``|F dσ/dF − (σ − σ₀)|/σ + |u dσ₀/du − σ₀|/σ₀`` of loads F and a stroke u: of a part p of σ it
-    is p s/(1 − s) under loads that buckle the joint at F/s. Blades that forces bend are as far off
-    in their stress as in their stiffness, times that: beams of a pair near what buckles it, at 8.8,
-    had 0.061 more than solids, 0.047 being told of its support; of three blades that pull each
-    other straight at a stroke, at 0.21, 0.011 less, of 0.054.
-
-    Parameters
-    ----------
-    rest : array
-        σ₀, the largest stress at a stroke without loads [Pa].
-    less : array, optional
-        That at a stroke which is less by the share ``FURTHER``, where there is one [Pa].
-    here, further : array
-        σ under the loads, and under loads that are more by that share [Pa].
-
-    """
-    more = np.abs((further - here) / FURTHER - (here - rest))
-    found = more / np.where(here > 0.0, here, inf)
-    if less is None:
-        return found
-    own = np.abs((rest - less) / FURTHER - rest)
-    return np.asarray(found + own / np.where(rest > 0.0, rest, inf))
 
 
 def _crossed(state: SpaceEquilibrium) -> float:

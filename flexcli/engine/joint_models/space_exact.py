@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import product
-from math import isfinite
+from math import inf, isfinite
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,12 +17,7 @@ from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_critical import critical_shares, may_stand
 from flexcli.engine.joint_models.space_deflection import deflections, warm_sag_ratio
-from flexcli.engine.joint_models.space_errors import (
-    FURTHER,
-    StrokeErrors,
-    bent_by_forces,
-    width_error,
-)
+from flexcli.engine.joint_models.space_errors import StrokeErrors, width_error
 from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
@@ -35,6 +30,7 @@ from flexcli.engine.joint_models.space_stroke import (
     warm_support_ratio,
 )
 from flexcli.errors import SolveError
+from flexcli.formulas.amplified import FURTHER, amplified, bent_by_forces, bent_part
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
@@ -60,6 +56,7 @@ from flexcli.parts.space_states import (
     WARPING_ERROR,
     acting_groups,
     bent_by_gradient,
+    moved_by_lengths,
 )
 from flexcli.parts.strained_compliance import sag
 from flexcli.parts.worst_places import worst_places
@@ -77,9 +74,6 @@ DIAGONALS = np.array([1.0, -1.0, -1.0, 1.0])
 
 ROUGH = 0.02
 """By how much beams may bear too much that is not looked at further."""
-
-WARM = 9e-3
-"""Error of a stress of beams at a temperature besides: what its forces bend is not looked at."""
 
 
 class SpaceExactModel(SpaceLinearModel):
@@ -145,7 +139,7 @@ class SpaceExactModel(SpaceLinearModel):
         scene = ask.scene
         if not scene.moves:
             raise NotAvailable("has no force at stroke without a stroke")
-        plain = [_effort(state) for state in self._ends(ask)]
+        plain = [_effort(state) for state in self._ends(ask, warmth=0.0)]
         k, found = float(self.stiffness(ask)), []
         for end, travel in enumerate(scene.stroke_ends):
             each = []
@@ -159,10 +153,10 @@ class SpaceExactModel(SpaceLinearModel):
     def _held(
         self, state: SpaceEquilibrium, travel: float, plain: float, load: float
     ) -> DriveEffort:
-        """Return what a drive holds in a state; ``plain`` is what it would without the loads."""
+        """Return what a drive holds in a state, ``plain`` what it would without loads and heat."""
         effort, known, error = _effort(state), self.blades.errors(state), None
         if state.coarser is not None and known is not None and effort != 0.0:
-            # what loads change of it is as unsure as what they change it from
+            # what loads and heat change of it is as unsure as what they change it from
             most = max(abs(effort), abs(plain)) + abs(effort - plain)
             off = (abs(_effort(state.coarser) - effort) + known.support * most) / abs(effort)
             error = ErrorRange(-float(off), float(off))
@@ -199,7 +193,8 @@ class SpaceExactModel(SpaceLinearModel):
         self, ask: Ask
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the lowest frequency at both ends of the stroke, the drive locked."""
-        return tuple(locked_frequency(ask, state, self.blades) for state in self._ends(ask))
+        both = zip(self._ends(ask), self._ends(ask, warmth=0.0), strict=True)
+        return tuple(locked_frequency(ask, state, cold, self.blades) for state, cold in both)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return how far the driven point, or the axis, leaves its path at the stroke's ends."""
@@ -276,24 +271,24 @@ class SpaceExactModel(SpaceLinearModel):
     def knows_critical_shares(self, ask: Ask) -> bool:
         """Return whether its blades have errors at the ends of the stroke, before loads act."""
         with suppress(NotAvailable, SolveError):
-            ends = (at_travel(ask, end, self.blades, warm=False) for end in ask.scene.stroke_ends)
+            ends = (at_travel(ask, end, self.blades, warmth=0.0) for end in ask.scene.stroke_ends)
             found = [self.blades.errors(state) for state in ends]
             return all(known is not None and isfinite(known.support) for known in found)
         return True
 
     def _ends(
-        self, ask: Ask, loads: Loads = (), stroke: float = 1.0
+        self, ask: Ask, loads: Loads = (), stroke: float = 1.0, warmth: float = 1.0
     ) -> tuple[SpaceEquilibrium, ...]:
         """Return the joint at both ends of its stroke, or as loads and temperature leave it.
 
-        ``stroke`` is the share of it that is gone.
+        ``stroke`` is the share of it that is gone, ``warmth`` that of what heat strains.
         """
-        scene = ask.scene
+        scene, at = ask.scene, partial(at_travel, ask, blades=self.blades, warmth=warmth)
         if not scene.moves:
-            return (at_travel(ask, None, self.blades, loads=loads),)
-        sag = self._sag_of_drive(ask, loads) if loads else 0.0
+            return (at(None, loads=loads),)
+        sag = self._sag_of_drive(ask, loads, warmth) if loads else 0.0
         travels = tuple(stroke * end + sag for end in scene.stroke_ends)
-        ends = tuple(at_travel(ask, travel, self.blades, loads=loads) for travel in travels)
+        ends = tuple(at(travel, loads=loads) for travel in travels)
         levels = [state.part.assembly.members.level for state in ends]
         if levels[0] == levels[1]:
             return ends
@@ -301,12 +296,13 @@ class SpaceExactModel(SpaceLinearModel):
         coarse = levels.index(min(levels))
         name = f"{self.blades.name}, {max(levels)} for {min(levels)}"
         alike = self.blades._replace(name=name, levels=tuple(sorted(levels)))
-        finer = at_travel(ask, travels[coarse], alike, loads=loads)
+        finer = at_travel(ask, travels[coarse], alike, loads=loads, warmth=warmth)
         return (finer, ends[1]) if coarse == 0 else (ends[0], finer)
 
-    def _sag_of_drive(self, ask: Ask, loads: Loads) -> float:
+    def _sag_of_drive(self, ask: Ask, loads: Loads, warmth: float) -> float:
         """Return how far loads move the free drive of the joint [m or rad]."""
-        under, free = (at_travel(ask, None, self.blades, loads=each) for each in (loads, ()))
+        at = partial(at_travel, ask, None, self.blades, warmth=warmth)
+        under, free = (at(loads=each) for each in (loads, ()))
         own = driven_coordinate(under.layout)
         return float((under.coordinates - free.coordinates).ravel()[own])
 
@@ -329,19 +325,21 @@ class SpaceExactModel(SpaceLinearModel):
             yield ends
 
     def _bends(self, ask: Ask) -> Iterator[float]:
-        """Yield, sense by sense of the loads, what loads and stroke bend of what they stress."""
-        rest = self._largest_at_ends(ask)
-        less = None
-        if ask.scene.moves and ask.scene.temperature is None:  # that stresses without a stroke
-            less = self._largest_at_ends(ask, stroke=1.0 - FURTHER)
+        """Yield, sense by sense of the loads, what these, heat and stroke bend of the stress."""
+        largest, less, more = partial(self._largest_at_ends, ask), None, 1.0 + FURTHER
+        rest = largest(warmth=0.0)
+        if ask.scene.moves:
+            less = largest(warmth=0.0, stroke=1.0 - FURTHER)
         for _, loads in _senses(ask):
-            raised = tuple(load.times(1.0 + FURTHER) for load in loads)
-            here, further = (self._largest_at_ends(ask, each) for each in (loads, raised))
+            here, raised = largest(loads), tuple(load.times(more) for load in loads)
+            further = largest(raised, warmth=more)
             yield float(np.max(bent_by_forces(rest, less, here, further)))
 
-    def _largest_at_ends(self, ask: Ask, loads: Loads = (), stroke: float = 1.0) -> Floats:
+    def _largest_at_ends(
+        self, ask: Ask, loads: Loads = (), stroke: float = 1.0, warmth: float = 1.0
+    ) -> Floats:
         """Return the largest stress at the ends of so much of a stroke (ends,) [Pa]."""
-        ends = self._ends(ask, loads, stroke)
+        ends = self._ends(ask, loads, stroke, warmth)
         return np.array([self.largest_stress(state)[0] for state in ends])
 
     def _at_ends(
@@ -366,12 +364,33 @@ class SpaceExactModel(SpaceLinearModel):
         found = self._at_ends(ask, lambda errors: errors.shift, _shift)
         if found is None:
             return None
-        joint = joint_of(ask)
+        joint, states = joint_of(ask), self._ends(ask)
         rest = float(np.linalg.norm(bent_by_gradient(joint, ask.scene)[1][:3]))
-        states = self._ends(ask)
+        if ask.scene.temperature is not None:
+            lengths = moved_by_lengths(joint, ask.scene, ask.material)[1]
+            bent = self._bent_of_shift(ask)
+            if not isfinite(bent):
+                return None
+            rest += float(np.linalg.norm(lengths[:3])) + bent
         rest += max(known.rest for known in map(self.blades.errors, states) if known is not None)
         least = min(_shift(state) for state in states)
         return found + ErrorRange(-rest / least, rest / least)
+
+    def _bent_of_shift(self, ask: Ask) -> float:
+        """Return how far what heat bends of the motion beside the stroke may be off [m]."""
+        off = 0.0
+        try:
+            each = [self._ends(ask, warmth=share) for share in (0.0, 1.0, 1.0 + FURTHER)]
+            for ends in zip(*each, strict=True):
+                rest, here, further = map(_off_path, ends)
+                known, size = self.blades.errors(ends[1]), float(np.linalg.norm(here))
+                bent = float(np.linalg.norm(bent_part(rest, here, further)))
+                if known is None:
+                    return inf
+                off = max(off, size * amplified(bent / size, known.support) if bent else 0.0)
+        except (NotAvailable, SolveError):
+            return inf
+        return off
 
     def swing_error(self, ask: Ask) -> ErrorRange | None:
         """Return the error of the largest amplitude of a stroke."""
@@ -392,7 +411,9 @@ class SpaceExactModel(SpaceLinearModel):
         joint = joint_of(ask)
         beside = sum(_stress_of_weight(joint, each) for each in acting_groups(joint, ask.scene))
         beside += bent_by_gradient(joint, ask.scene)[0]
-        most, unsure, largest, swing = 0.0, beside, 0.0, 0.0
+        most, unsure, largest, swing, lengths = 0.0, beside, 0.0, 0.0, 0.0
+        if ask.scene.temperature is not None:
+            lengths = moved_by_lengths(joint, ask.scene, ask.material)[0]
         if self.blades is BEAMS and _may_turn_aside(joint, ask.scene):
             return None, None
         beams = self if self.blades is BEAMS else SpaceExactModel()  # which tell it for shells
@@ -402,9 +423,9 @@ class SpaceExactModel(SpaceLinearModel):
                 told = [self.blades.errors(state) for state in ends]
                 # of hinges beams know no stress, whatever bends them
                 in_vain = any(each is None or not isfinite(each.stress) for each in told)
+                bent = 0.0 if in_vain else next(bends)
                 known = _most_off(
-                    ends, told,
-                    partial(StrokeErrors.stress_of, bent=0.0 if in_vain else next(bends)),
+                    ends, told, partial(StrokeErrors.stress_of, bent=bent),
                     lambda state: self.largest_stress(state)[0],
                 )  # fmt: skip
                 if known is None:
@@ -412,14 +433,16 @@ class SpaceExactModel(SpaceLinearModel):
                 most = max(most, known)
                 if ask.scene.moves:
                     swing = max(swing, self.unsure_swing(ends[0], ends[-1]))
+                # what is bent once more amplifies what lengths leave as it does all else
+                own = beside + lengths * (1.0 + bent) ** 2
                 for state in ends:
                     here = self.largest_stress(state)[0]
                     largest = max(largest, here)
-                    unsure = max(unsure, beside + self.unsure_stress(state, here))
+                    unsure = max(unsure, own + self.unsure_stress(state, here))
         except (NotAvailable, SolveError):
             return None, None
         if self.blades is BEAMS:
-            most += largest / ask.material.elastic.E + WARM * (ask.scene.temperature is not None)
+            most += largest / ask.material.elastic.E
         each = most + unsure / largest, most + max(swing, beside / largest)
         return ErrorRange(-each[0], each[0]), ErrorRange(-each[1], each[1])
 
@@ -520,12 +543,17 @@ def _effort(state: SpaceEquilibrium) -> float:
 
 def _shift(state: SpaceEquilibrium) -> float:
     """Return how far the driven point leaves its path [m]."""
+    return float(np.linalg.norm(_off_path(state)))
+
+
+def _off_path(state: SpaceEquilibrium) -> Floats:
+    """Return how the driven point leaves its path (3,) [m]."""
     drive = state.layout.drive
     moved = state.motion_of(drive.body, drive.point)[:3]
     if not drive.turns:
         along = np.asarray(drive.direction)
         moved = moved - (moved @ along) * along
-    return float(np.linalg.norm(moved))
+    return np.asarray(moved)
 
 
 def beam_peaks(stresses: Sequence[BladeStress]) -> dict[str, Floats]:

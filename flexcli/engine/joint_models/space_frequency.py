@@ -34,7 +34,7 @@ FOLLOWS = 13.0 / 35.0 / HEAVIEST[0]
 
 
 def locked_frequency(
-    ask: Ask, state: SpaceEquilibrium, blades: Blades
+    ask: Ask, state: SpaceEquilibrium, cold: SpaceEquilibrium, blades: Blades
 ) -> tuple[float, ErrorRange | None]:
     """Return the lowest frequency at an equilibrium [Hz], and its error.
 
@@ -56,7 +56,9 @@ def locked_frequency(
     known, inside = blades.errors(state), 2.0 * pi * heavy / own_blade_frequency(weighed)
     if state.coarser is None or known is None or inside > INNER:
         return found, None
-    off = abs(_lowest(state.coarser, masses, share) / found - 1.0) + known.support
+    of_heat = abs((_lowest(cold, masses, share) / found) ** 2 - 1.0)
+    off = abs(_lowest(state.coarser, masses, share) / found - 1.0)
+    off += known.support * (1.0 + of_heat)
     of_blades = max(1.0 - (heavy / bare) ** 2, 0.0)
     least = heavy / found * (1.0 - of_blades * inside**2 / (1.0 - inside**2))
     return found, ErrorRange(least * (1.0 - off) - 1.0, bare / found * (1.0 + off) - 1.0)

@@ -1,11 +1,15 @@
 """The stress of joints whose blades miss their seats, beyond small motion: beams, or shells."""
 
 from collections.abc import Callable, Iterator, Sequence
+from math import inf
 from typing import NamedTuple
+
+import numpy as np
 
 from flexcli.engine.joint_models.space_deflection import load_error, unsure_springs
 from flexcli.engine.joint_models.space_stroke import BEAMS, Blades, held_motion
 from flexcli.errors import SolveError
+from flexcli.formulas.amplified import FURTHER, amplified, bent_by_forces
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.layout import MissedSeat
@@ -65,14 +69,16 @@ def _by_beams(ask: Ask, small: MisfitStress, sense: float, model: StressModel) -
     ratio = largest * SMALL / model.largest(first)[0]
     where = small.where if ratio == 1.0 else f"{blade}, {_being_off(state, small)}"
     value, more = small.stress * ratio, abs(ratio - 1.0)
-    if small.springs is None:
+    bent = _bent(ask, small, sense, model, largest)
+    if small.springs is None or bent is None:
         return Told(value, None), where
     try:
         share = max(load_error(ask), unsure_springs(_joint(ask))) + small.springs.largest
     except SolveError as error:
         raise NotAvailable(f"has no errors by beams: {error}") from error
-    off = share * more * (1.0 + more) / ratio + model.unsure(state, largest) / largest
-    return Told(value, small.springs + ErrorRange(-off, off)), where
+    off = amplified(max(bent, more * (1.0 + more) / ratio), share)
+    off += model.unsure(state, largest) / largest
+    return Told(value, small.springs + ErrorRange(-off, off) if off < inf else None), where
 
 
 def _by_itself(ask: Ask, small: MisfitStress, sense: float, model: StressModel) -> tuple[Told, str]:
@@ -80,11 +86,28 @@ def _by_itself(ask: Ask, small: MisfitStress, sense: float, model: StressModel) 
     state = _off(ask, small.missed.times(sense), model)
     largest, blade = model.largest(state)
     known, told = model.blades.errors(state), Told(largest, None)
-    if known is not None and state.coarser is not None:
+    bent = _bent(ask, small, sense, model, largest)
+    if known is not None and state.coarser is not None and bent is not None:
         change = abs(model.largest(state.coarser)[0] / largest - 1.0)
-        off = known.stress + change + model.unsure(state, largest) / largest
-        told = Told(largest, ErrorRange(-off, off))
+        off = known.stress_of(bent) + change + model.unsure(state, largest) / largest
+        told = Told(largest, ErrorRange(-off, off) if off < inf else None)
     return told, f"{blade}, {_being_off(state, small)}"
+
+
+def _bent(
+    ask: Ask, small: MisfitStress, sense: float, model: StressModel, largest: float
+) -> float | None:
+    """Return what share of the largest stress an offset makes by bending what it has bent.
+
+    Nothing where a little more of it buckles the joint.
+    """
+    try:
+        further = _off(ask, small.missed.times(sense * (1.0 + FURTHER)), model)
+    except NotAvailable:
+        return None
+    each = (0.0, largest, model.largest(further)[0])
+    rest, here, more = map(np.array, each)
+    return float(bent_by_forces(rest, None, here, more))
 
 
 def _joint(ask: Ask) -> SpaceJoint:

@@ -48,7 +48,7 @@ TOLERANCE = 1e-5
 Loads: TypeAlias = tuple[SpaceLoad, ...]
 """Dead loads on bodies of a layout."""
 
-_Asked: TypeAlias = tuple[str, float | None, Loads, bool, bool]
+_Asked: TypeAlias = tuple[str, float | None, Loads, float, bool, bool]
 
 _KNOWN: WeakKeyDictionary[SpaceJoint, dict[_Asked, SpaceEquilibrium | SolveError]]
 _KNOWN = WeakKeyDictionary()
@@ -75,14 +75,14 @@ def at_travel(
     blades: Blades | None = None,
     *,
     loads: Loads = (),
-    warm: bool = True,
+    warmth: float = 1.0,
     start: SpaceEquilibrium | None = None,
 ) -> SpaceEquilibrium:
     """Return the joint at a travel of its drive, all else free but for a guide; by beams if unsaid.
 
-    Without a travel the drive is free: the joint is as its loads and its temperature leave it,
-    which it has where it is ``warm``; the path is that from ``start`` where there is one, of the
-    same blades. Where the ask is ``near`` another, what a small change makes of that one.
+    Without a travel the drive is free: the joint is as its loads and its temperature leave it, of
+    whose strains it has the share ``warmth``; the path is that from ``start`` where there is one,
+    of the same blades. Where the ask is ``near`` another, what a small change makes of that one.
 
     Raises
     ------
@@ -92,13 +92,14 @@ def at_travel(
         When the path to it ends before.
 
     """
-    heat = ask.scene.temperature if warm else None
-    joint = joint_of(ask, warm=warm)
+    heat = ask.scene.temperature if warmth else None
+    joint = joint_of(ask, warm=heat is not None)
     blades = BEAMS if blades is None else blades
     known = _KNOWN.setdefault(joint, {})
-    key = blades.name, travel, loads, ask.near is not None, start is not None
+    key = blades.name, travel, loads, warmth, ask.near is not None, start is not None
     if key not in known:
-        layout, frames = joint.layout, drive_frame(joint.layout.drive)
+        layout = joint.layout if heat is None or warmth == 1.0 else joint.layout.grown(warmth)
+        frames = drive_frame(layout.drive)
         motion = held_motion(ask, layout, travel)
         if ask.near is None:
             try:
@@ -116,7 +117,7 @@ def at_travel(
                 known[key] = error
         else:
             near = ask.near._replace(scene=ask.scene)
-            about = at_travel(near, travel, blades, loads=loads, warm=warm)
+            about = at_travel(near, travel, blades, loads=loads, warmth=warmth)
             known[key] = beside(about, layout, motion, loads=loads, frames=frames, made=blades.made)
     found = known[key]
     if isinstance(found, SolveError):
@@ -182,7 +183,10 @@ def support_at_stroke(
         known, error = blades.errors(state), None
         if state.coarser is not None and known is not None:
             before = _stiffness(ask, state.coarser, index, point, locked=locked)
-            change = abs(before / value - 1.0) + known.support
+            cold = at_travel(ask, travel, blades, warmth=0.0)
+            # what heat takes away of it, it does as surely where it is off
+            of_heat = abs(_stiffness(ask, cold, index, point, locked=locked) / value - 1.0)
+            change = abs(before / value - 1.0) + known.support * (1.0 + of_heat)
             error = ErrorRange(-change, change)
         found.append((value, error))
     return tuple(found)
@@ -202,7 +206,7 @@ def warm_ratio(
         When there is no stable equilibrium.
 
     """
-    warm, cold = (at_travel(ask, travel, warm=each) for each in (True, False))
+    warm, cold = (at_travel(ask, travel, warmth=each) for each in (1.0, 0.0))
     ratio, share = number(warm) / number(cold), strain_error(warm)
     off = max((1.0 if share is None else share) * abs(ratio - 1.0) / ratio, ROUNDING)
     return Told(ratio, ErrorRange(-off, off))

@@ -1,20 +1,23 @@
 """Parasitic shift of a joint of the plane at a temperature by beams: of stroke, heat, and both."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.joint_states import layout_of, warmed
+from flexcli.formulas.amplified import FURTHER, bent_part
 from flexcli.formulas.plate_factors import bound
-from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import single
 from flexcli.numerics.rows import one_alone
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Held
 from flexcli.parts.requirements import Ask
 from flexcli.parts.requirements.warm_shift import EndShift, WarmShift
-from flexcli.parts.temperature import ALONG_PIECE, held_bending, held_lengths
+from flexcli.parts.temperature import alike, held_bending, held_lengths
 
 __all__ = ["Shifts", "warm_shift"]
 
@@ -22,9 +25,6 @@ Floats = NDArray[np.float64]
 
 Shifts = Callable[[Layout, Held], tuple[Floats, Floats]]
 """Shifts (designs, 2) of a layout that is held so, and by how much they are not settled [m]."""
-
-DIGITS = 9
-"""Of sizes that count as the same."""
 
 
 def warm_shift(ask: Ask, shifts: Shifts) -> WarmShift:
@@ -35,12 +35,16 @@ def warm_shift(ask: Ask, shifts: Shifts) -> WarmShift:
     drawn, grown = layout_of(ask), warmed(ask)
     layout = _wider(grown, scene.temperature.stiffer(grown, ask.material, geometry.axes))
     plates, held = float(bound(nu)), held_bending(grown, nu)
-    alike, unsure = _alike(drawn.blades), held_lengths(grown, ask.material)
+    kinds, unsure = alike(drawn.blades), held_lengths(grown, ask.material)
     free: Held = None, None, 0.0 if geometry.is_guided else None
     rest = geometry.held(0.0) if scene.moves else free
-    heat, off = _with_rest(*shifts(_variants(layout, alike, unsure, plates), rest))
+    heat, off = _with_rest(*shifts(_variants(layout, kinds, unsure, plates), rest))
+    raised = FURTHER + plates  # as much as plates may be stiffer
+    hotter = layout.grown(1.0 + raised)
     if not scene.moves:
-        return WarmShift((EndShift(0.0 * heat, heat, 0.0 * heat, off),), plates, held)
+        none = 0.0 * heat
+        bent = _bent(shifts, hotter, rest, (none, heat), raised)
+        return WarmShift((EndShift(none, heat, none, bent, off),), plates, held, raised)
     # what a modulus may differ by is of the stroke's share as well
     unlike = _drifted(layout, scene.temperature.unlike(grown, ask.material, geometry.axes))
     ends = list[EndShift]()
@@ -48,8 +52,24 @@ def warm_shift(ask: Ask, shifts: Shifts) -> WarmShift:
         at = geometry.held(travel)
         cold, unsettled = _with_rest(*shifts(drawn, at))
         warm, drifted = _with_rest(*shifts(unlike, at))
-        ends.append(EndShift(cold, heat, warm - cold - heat, off + unsettled + drifted))
-    return WarmShift(tuple(ends), plates, held)
+        bent = _bent(shifts, hotter, at, (cold, warm), raised)
+        ends.append(EndShift(cold, heat, warm - cold - heat, bent, off + unsettled + drifted))
+    return WarmShift(tuple(ends), plates, held, raised)
+
+
+def _bent(
+    shifts: Shifts, hotter: Layout, held: Held, of: tuple[Floats, Floats], raised: float
+) -> float:
+    """Return what heat makes of a shift by bending what is deformed [m], see ``bent_part``.
+
+    ``of`` are the shifts without the heat and with it, ``raised`` by what share it is more in the
+    layout. It is endless where that buckles.
+    """
+    try:
+        further = shifts(hotter, held)[0][0]
+    except NotAvailable:
+        return inf
+    return float(np.linalg.norm(bent_part(*of, further, raised)))
 
 
 def _with_rest(shifts: Floats, unsettled: Floats) -> tuple[Floats, float]:
@@ -68,22 +88,22 @@ def _wider(layout: Layout, factors: Mapping[str, float | Floats]) -> Layout:
 
 
 def _variants(
-    layout: Layout, alike: Sequence[Sequence[str]], unsure: Mapping[str, float], plates: float
+    layout: Layout, kinds: Sequence[Sequence[str]], unsure: Mapping[str, float], plates: float
 ) -> Layout:
     """Return a layout as it is, and as it may be: a design for each kind of blade and change.
 
     What is not known of alike blades is the same of each. Blades that are not alike are as plates
     differently much, which counts where they have to share what does not fit.
     """
-    changes = len(alike) if len(alike) > 1 else 0
-    designs = 1 + len(alike) + changes
+    changes = len(kinds) if len(kinds) > 1 else 0
+    designs = 1 + len(kinds) + changes
     growth = {name: np.full(designs, single(g)) for name, g in layout.blade_growth.items()}
     width = {blade.name: np.ones(designs) for blade in layout.blades}
-    for index, names in enumerate(alike):
+    for index, names in enumerate(kinds):
         for name in names:
             growth[name][1 + index] += unsure[name]
             if changes:
-                width[name][1 + len(alike) + index] += plates
+                width[name][1 + len(kinds) + index] += plates
     return replace(_wider(layout, width), blade_growth=growth)
 
 
@@ -94,15 +114,3 @@ def _drifted(layout: Layout, unlike: Mapping[str, float]) -> Layout:
     for index, name in enumerate(names):
         width[name][1 + index] += unlike[name]
     return _wider(layout, width) if names else layout
-
-
-def _alike(blades: Iterable[Blade]) -> list[list[str]]:
-    """Return the names of blades of the same sizes, together."""
-    found = dict[tuple[str, ...], list[str]]()
-    for blade in blades:
-        l = float(np.hypot(*np.subtract(blade.end, blade.start)))
-        thick = (np.ravel(each.thickness(ALONG_PIECE)) for each in blade.profile.pieces(l))
-        sizes = (l, single(blade.b), *np.concatenate(list(thick)).tolist())
-        key = (type(blade.profile).__name__, *(f"{size:.{DIGITS}g}" for size in sizes))
-        found.setdefault(key, []).append(blade.name)
-    return list(found.values())

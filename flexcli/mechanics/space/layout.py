@@ -378,6 +378,12 @@ class SpaceLayout:
         """Return whether a temperature strains anything."""
         return any((*self.body_growth.values(), *self.blade_growth.values()))
 
+    def grown(self, share: float) -> "SpaceLayout":
+        """Return a layout that has grown by so many times as much."""
+        each = (self.body_growth, self.blade_growth)
+        of_bodies, of_blades = ({name: share * g for name, g in part.items()} for part in each)
+        return replace(self, body_growth=of_bodies, blade_growth=of_blades)
+
     def index(self, name: str) -> int:
         """Return where a body stands among those that may move; it must be one of them."""
         return [body.name for body in self.bodies].index(name)

@@ -131,6 +131,11 @@ class ClampCompliance(ModelEffect):
                 if softened.across is None
                 else _beside(softened.shift, softened.across, setting.largest_travel)
             )
+        elif any(scene.is_loaded for scene in setting.scenes):
+            # heat bends blades by motions, of which roots that give way take their part
+            heated = any(scene.temperature is not None for scene in setting.scenes)
+            least = 1.0 / (1.0 + softened.loaded) - 1.0 if heated else 0.0
+            found["stress"] = _between(least, softened.loaded)
         if softened.across is not None and setting.material.sheet is not None:
             # a crossing of blades with moduli of their own, which no plane was solved of
             found = {name: _off(change, change.bound) for name, change in found.items()}

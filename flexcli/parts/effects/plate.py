@@ -18,7 +18,15 @@ from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.results import ErrorRange
 
-__all__ = ["PlateWidening", "change_by_loads", "flattest", "pulled", "stretched", "wide_of"]
+__all__ = [
+    "PlateWidening",
+    "change_by_loads",
+    "flattest",
+    "pulled",
+    "stretched",
+    "wide_of",
+    "widest",
+]
 
 LEADS = 1.5
 """Ratio of the shift to its leading term up to which both change alike."""
@@ -88,6 +96,17 @@ def stretched(setting: Setting) -> Factor:
         return wide.stretched
     spread = pulled(setting)
     return Factor(1.0, 1.0 - spread, 1.0 + spread)
+
+
+def widest(setting: Setting) -> float:
+    """Return how stiff blades that bend in any shape may be, over beams; 1 where none is wide [-].
+
+    Those that were compared in other shapes are no stiffer than kept flat.
+    """
+    wide = wide_of(setting)
+    if wide is None:
+        return 1.0
+    return smaller(wide.stiffness.value * (1.0 + wide.stiffness.other), flattest(setting))
 
 
 def flattest(setting: Setting) -> float:

@@ -19,6 +19,7 @@ from flexcli.parts.requirements.as_printed import AS_PRINTED
 from flexcli.parts.requirements.ask import (
     MOST_SHARE,
     Ask,
+    Bent,
     CriticalShare,
     DriveEffort,
     EndStress,
@@ -37,6 +38,7 @@ __all__ = [
     "CLOSED_FORM",
     "MOST_SHARE",
     "Ask",
+    "Bent",
     "Bound",
     "CriticalShare",
     "DriveEffort",

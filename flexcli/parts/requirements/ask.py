@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 __all__ = [
     "MOST_SHARE",
     "Ask",
+    "Bent",
     "CriticalShare",
     "DriveEffort",
     "EndStress",
@@ -48,6 +49,17 @@ class Told(NamedTuple):
         """Return it times a factor that has an error of its own."""
         both = None if self.error is None or error is None else self.error + error
         return Told(self.value * factor, both)
+
+
+class Bent(NamedTuple):
+    """The share of the largest stress that loads and heat make by bending what is deformed [-].
+
+    ``unlike`` is by how much the stiffness of what they bend may differ besides from what the model
+    tells of its own.
+    """
+
+    share: Number
+    unlike: Number = 0.0
 
 
 class MisfitStress(NamedTuple):
@@ -271,6 +283,17 @@ class JointModel(ABC):
     def carries(self, ask: Ask, kind: QuantityKind) -> frozenset[EffectName]:
         """Return the effects that a kind of number and its error have, beside those of all."""
         return frozenset()
+
+    def heat_in_stiffness(self, ask: Ask) -> Number:
+        """Return the share of the stiffness at a temperature that would not follow that of blades.
+
+        Heat takes no more of it, and gives no more, where blades are stiffer.
+        """
+        raise NotAvailable(WARM)
+
+    def bent(self, ask: Ask) -> Bent:
+        """Return what of its stress loads and heat make by bending what is deformed."""
+        return Bent(0.0)
 
     def warm_shift(self, ask: Ask) -> "WarmShift":
         """Return what stroke and heat make of the parasitic shift, by beams."""

@@ -1,9 +1,11 @@
 """Parasitic shift at a temperature: what the stroke makes of it, what the heat, and what both.
 
 What a stroke makes without a temperature is known better than beams know it, by what corrects them.
-What the heat makes are lengths, which no model of how blades bend changes.
+What the heat makes are lengths, which no model of how blades bend changes, but for what they bend
+by pressing what is bent already: near the temperature that buckles a joint, all of it.
 """
 
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -17,13 +19,14 @@ Floats = NDArray[np.float64]
 class EndShift(NamedTuple):
     """The shift at an end of a stroke (2,) [m]: by stroke, by heat, and what both make besides.
 
-    Towards −x and −y, of a stage towards −x alone. ``unsure`` is what lengths, and stiffness of
-    blades that are not alike, leave of it.
+    Towards −x and −y, of a stage towards −x alone. ``bent`` is what heat makes by bending what is
+    deformed already, ``unsure`` what lengths, and stiffness of blades that are not alike, leave.
     """
 
     cold: Floats
     heat: Floats
     both: Floats
+    bent: float
     unsure: float
 
 
@@ -31,12 +34,14 @@ class WarmShift(NamedTuple):
     """The shifts at both ends of a stroke, or that of the heat alone.
 
     ``plates`` is how much stiffer blades may be in bending than beams, ``held`` what clamps change
-    of that which hold them across [-].
+    of that which hold them across [-]. ``raised`` is by what share more heat is what tells how much
+    of a shift is bent.
     """
 
     ends: tuple[EndShift, ...]
     plates: float
     held: float
+    raised: float
 
     @property
     def cold(self) -> float:
@@ -49,8 +54,8 @@ def combined(
 ) -> tuple[float, float, float]:
     """Return the largest shift, positive towards −x, and between which sizes it is [m].
 
-    What both make besides follows from how blades bend that are pulled or pressed; its error is
-    that of their stiffness in bending.
+    What both make besides, and what heat bends, follows from how blades bend that are pulled or
+    pressed; its error is that of their stiffness in bending.
 
     Parameters
     ----------
@@ -63,18 +68,28 @@ def combined(
 
     """
     off = cold_error * abs(factor) * warm.cold if warm.cold else 0.0
-    beside = bending + warm.plates + warm.held
+    beside, stiffer = bending + warm.plates + warm.held, max(bending, warm.plates) + warm.held
     largest = least = most = 0.0
     for end in warm.ends:
         shift, cold = factor * end.cold + end.heat + end.both, np.abs(end.cold)
         # a size says nothing of a direction, which plates change by no more than they are stiffer
         turned = np.where(cold == cold.min(), np.minimum(cold, warm.plates * _size(cold)), 0.0)
-        apart, unsure = turned + beside * np.abs(end.both), off + end.unsure
+        unsure = off + end.unsure + _of_bent(end.bent, _size(shift), stiffer, warm.raised)
+        apart = turned + beside * np.abs(end.both)
         found = float(np.copysign(_size(shift), shift[0]))
         largest = found if abs(found) > abs(largest) else largest
         least = max(least, _size(np.maximum(np.abs(shift) - apart, 0.0)) - unsure)
         most = max(most, _size(np.abs(shift) + apart) + unsure)
     return largest, max(least, 0.0), most
+
+
+def _of_bent(bent: float, shift: float, stiffer: float, raised: float) -> float:
+    """Return how far a shift is off of which so much is bent [m], by blades that much stiffer.
+
+    What is bent is that by heat that is more by the share ``raised``, see ``amplified``.
+    """
+    left = 1.0 - max(stiffer - raised, 0.0) * bent / shift if bent and shift else 1.0
+    return stiffer * bent / left if bent < inf and left > 0.0 else inf
 
 
 def _size(shift: Floats) -> float:
