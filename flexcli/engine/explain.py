@@ -10,6 +10,7 @@ import numpy as np
 
 from flexcli.errors import Finding, SpecError
 from flexcli.formulas import (
+    bar_limits,
     blade_mass,
     blade_spring,
     buckling,
@@ -90,6 +91,7 @@ GENERAL: tuple[Card, ...] = (
     *solid_crossing.CARDS,
     *clamped_blade.CARDS,
     *clamped_star.CARDS,
+    *bar_limits.CARDS,
     *stage_next_order.CARDS,
     *star_next_order.CARDS,
     *stop_line.CARDS,

@@ -36,6 +36,10 @@ RIGID = 1e8
 UNKNOWN = 1e3
 """Relative error from which a number counts as unknown."""
 
+HARDLY, LESS = 1e-6, 1e-2
+"""Share of a spring that stands for none, so that a joint can be solved; and what of that a number
+must not feel, which then is that of none."""
+
 
 ROUNDING = 1e-10
 """Ratio to the other terms below which a number is rounding."""
@@ -91,6 +95,11 @@ class SpaceJoint:
         return all(member.is_known for member in self.assembly.members)
 
     @property
+    def is_bounded(self) -> bool:
+        """Return whether the errors of all springs hold, whatever was compared."""
+        return all(member.is_known or member.is_bounded for member in self.assembly.members)
+
+    @property
     def is_known_in_stress(self) -> bool:
         """Return whether they are also within the validity of nominal stresses."""
         return self.is_known and all(member.in_stress for member in self.assembly.members)
@@ -111,7 +120,7 @@ class SpaceJoint:
     @cached_property
     def softest(self) -> SpaceAssembly:
         """Return the assembly with every spring at its lower limit."""
-        return self.assembly.scaled(1.0 + self.low)
+        return self.assembly.scaled(np.maximum(1.0 + self.low, HARDLY))
 
     @cached_property
     def stiffest(self) -> SpaceAssembly:
@@ -130,17 +139,20 @@ class SpaceJoint:
             return None
         blades = tuple(blade for blade in left if blade is not None)
         joint = SpaceJoint(replace(self.layout, blades=blades))
-        return joint.stiffest if joint.is_known and np.isfinite(joint.high).all() else None
+        return joint.stiffest if joint.is_bounded and np.isfinite(joint.high).all() else None
 
     def error(self, value: Callable[[SpaceAssembly], float]) -> ErrorRange | None:
         """Return the range of error of a number that grows with every spring."""
-        if not self.is_known:
+        if not self.is_bounded:
             return None
         best, most = value(self.assembly), value(self.stiffest)
         if self.rigid_crossings is not None:
             most = min(most, value(self.rigid_crossings))
-        high = most / best - 1.0
-        return ErrorRange(value(self.softest) / best - 1.0, high if high < UNKNOWN else inf)
+        high, least = most / best - 1.0, value(self.softest)
+        if np.any(self.low <= -1.0):
+            softer = self.assembly.scaled(np.maximum(1.0 + self.low, LESS * HARDLY))
+            least *= value(softer) >= least * (1.0 - HARDLY)
+        return ErrorRange(least / best - 1.0, high if high < UNKNOWN else inf)
 
     @property
     def is_mirrored(self) -> bool:
@@ -183,7 +195,9 @@ class SpaceJoint:
 
         """
         found, low, high = 0.0, 0.0, 0.0
-        k, up = self.assembly.stiffness, 1.0 / (1.0 + self.low) - 1.0
+        k = self.assembly.stiffness
+        with np.errstate(divide="ignore"):  # of which nobody knows how little it bears
+            up = 1.0 / (1.0 + self.low) - 1.0
         whole = [float(k @ d**2) for d in (sought, load)]
         for group in self._apart:
             g, f = sought[group], load[group]
@@ -203,7 +217,7 @@ class SpaceJoint:
             (rises, falls), (against, for_it) = changes
             high += (rises + for_it) / (4.0 * t)
             low -= (falls + against) / (4.0 * t)
-        return Form(found, (low, high) if self.is_known else None, (whole[0] * whole[1]) ** 0.5)
+        return Form(found, (low, high) if self.is_bounded else None, (whole[0] * whole[1]) ** 0.5)
 
 
 def _beyond_crossing(blade: SpaceBlade | SpaceRod) -> SpaceBlade | SpaceRod | None:

@@ -479,12 +479,13 @@ def load_error(ask: Ask) -> float:
 def unsure_springs(joint: SpaceJoint) -> float:
     """Return by how much the springs of what varies in thickness may be off, at most.
 
-    What a stroke or a load changes of very wide blades nobody compared: it may be off by itself.
+    What a stroke or a load changes of very wide blades, and of those that were compared with
+    nothing, nobody knows: it may be off by itself.
     """
     if any(map(_is_very_wide, joint.layout.blades)):
         return 1.0
     if joint.is_uniform:
-        return 0.0
+        return 0.0 if joint.is_known else 1.0
     members = joint.assembly.members
     return max(float(np.max(np.maximum(member.high, -member.low))) for member in members)
 

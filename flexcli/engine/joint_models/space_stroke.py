@@ -1,6 +1,7 @@
 """A joint in space at a travel, its drive held, or under loads: beams or shells."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import NamedTuple, TypeAlias
 from weakref import WeakKeyDictionary
 
@@ -45,6 +46,9 @@ ROUNDING = 1e-6
 TOLERANCE = 1e-5
 """Of forces and motions: of its tangent, the last two levels of nodes tell."""
 
+NEARBY = 0.2
+"""Share of a stroke beyond or before its end within which the path goes by that end."""
+
 Loads: TypeAlias = tuple[SpaceLoad, ...]
 """Dead loads on bodies of a layout."""
 
@@ -82,7 +86,8 @@ def at_travel(
 
     Without a travel the drive is free: the joint is as its loads and its temperature leave it, of
     whose strains it has the share ``warmth``; the path is that from ``start`` where there is one,
-    of the same blades. Where the ask is ``near`` another, what a small change makes of that one.
+    of the same blades, else from rest, of beams by the end of the stroke. Where the ask is ``near``
+    another, what a small change makes of that one.
 
     Raises
     ------
@@ -111,7 +116,7 @@ def at_travel(
                     tolerance=blades.tolerance,
                     levels=blades.levels,
                     made=blades.made,
-                    start=start,
+                    start=start or _on_the_way(ask, travel, blades, loads, warmth),
                 ).checked()
             except SolveError as error:  # whoever asks next need not look for it again
                 known[key] = error
@@ -126,6 +131,25 @@ def at_travel(
     if ask.near is None and not at_rest and found.unstable:
         raise NotAvailable(f"buckles {_under(travel, loads)}")
     return found
+
+
+def _on_the_way(
+    ask: Ask, travel: float | None, blades: Blades, loads: Loads, warmth: float
+) -> SpaceEquilibrium | None:
+    """Return the joint without loads at the end of a stroke nearby, from which it is not far.
+
+    A stroke may be a long way for beams; loads at its end, or a little less of it, seldom are.
+    """
+    ends = ask.scene.stroke_ends if travel is not None else (None,)
+    near = min(ends, key=lambda end: abs((end or 0.0) - (travel or 0.0)))
+    is_rest = not near and (ask.scene.temperature is None or not warmth)
+    if blades is not BEAMS or is_rest or (travel == near and not loads):
+        return None
+    if travel is not None and abs(travel - (near or 0.0)) > NEARBY * abs(near or 0.0):
+        return None
+    with suppress(NotAvailable, SolveError):
+        return at_travel(ask, near, blades, warmth=warmth)
+    return None
 
 
 def _under(travel: float | None, loads: Loads) -> str:

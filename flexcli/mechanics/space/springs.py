@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.blade_spring import BladeSprings, bending, blade_springs
+from flexcli.formulas.bar_limits import BarLimits, bar_limits
+from flexcli.formulas.blade_spring import SHEAR_FACTOR, BladeSprings, bending, blade_springs
 from flexcli.formulas.card import Range, outside
 from flexcli.formulas.clamped_blade import (
     NARROWER,
@@ -19,7 +20,13 @@ from flexcli.formulas.clamped_blade import (
 from flexcli.formulas.clamped_star import OF_STARS, STRESSED, clamped_star
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.formulas.torsion_section import torsion_constant
-from flexcli.formulas.torsion_shapes import star_arm
+from flexcli.formulas.torsion_shapes import (
+    star_area,
+    star_arm,
+    star_core_error,
+    star_polar_moment,
+    star_torsion_constant,
+)
 from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
 from flexcli.mechanics.space.exact.section import section_of
 from flexcli.mechanics.space.layout import Directed, Isotropic, SpaceBlade, SpaceRod, SpaceStar
@@ -150,8 +157,9 @@ class MemberSprings(NamedTuple):
     ``low`` and ``high`` have shape (6,): true = stiffness · (1 + error); a high of infinity says
     that clamps stiffen by an unknown amount. ``axes`` are the blade's as rows, ``l`` is its
     length [m], ``constrains`` lists the springs that an ideal blade is rigid in. ``is_known``
-    says that its proportions are those for which the errors hold, ``in_stress`` that they are those
-    for which nominal stresses, and hinges at a stroke, were compared.
+    says that its proportions are those for which the errors were compared, ``is_bounded`` that they
+    hold all the same, ``in_stress`` that they are those for which nominal stresses, and hinges at a
+    stroke, were compared.
     """
 
     springs: BladeSprings
@@ -162,6 +170,7 @@ class MemberSprings(NamedTuple):
     constrains: tuple[int, ...]
     is_known: bool = True
     in_stress: bool = True
+    is_bounded: bool = False
 
 
 def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
@@ -190,7 +199,8 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
         }  # fmt: skip
         known = not outside(OF_STARS, felt)
         stressed = known and member.h <= STRESSED * member.b
-        return _at_middle(star, (known, stressed), member.axes, l, STRETCH)
+        found = _at_middle(star, (known, stressed), member.axes, l, STRETCH)
+        return found if known else _bounded_star(member, found)
     if isinstance(member, SpaceRod):
         rod = clamped_rod(E=material.E, G=material.G, d=member.d, l=l)
         known = not outside(OF_RODS, {"d/l": member.d / l})
@@ -198,7 +208,9 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
     match member.profile:
         case Constant(h=h) if h <= member.b or isinstance(material, Isotropic):
             blade, compared = _clamped(member, float(h), l)
-            return _at_middle(blade, compared, member.axes, l, STRIP_CONSTRAINTS)
+            found = _at_middle(blade, compared, member.axes, l, STRIP_CONSTRAINTS)
+            plain = isinstance(material, Isotropic) and member.feels.plate
+            return _bounded(member, found, float(h)) if plain and not compared[0] else found
         case NeckedDown(h=h, hinge=hinge) if h <= member.b or isinstance(material, Isotropic):
             each, compared = _clamped(member, float(h), float(hinge))
             both = _in_series(each, (l - float(hinge)) / 2.0)
@@ -214,6 +226,36 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
             high = np.full(6, np.inf)
             high[list(BENDING)] = 1.0 / (1.0 - material.nu**2) - 1.0
             return MemberSprings(beam, np.zeros(6), high, member.axes, l, STRIP_CONSTRAINTS)
+
+
+def _bounded(blade: SpaceBlade, found: MemberSprings, h: float) -> MemberSprings:
+    """Return the springs of a blade that was compared with nothing, between what any bar has."""
+    E, G, b = blade.material.E, blade.material.G, blade.b
+    limits = bar_limits(
+        E=E, G=G, l=found.l, area=b * h, I_y=h * b**3 / 12.0, I_z=b * h**3 / 12.0,
+        J=float(torsion_constant(h, b)), shear_factor=SHEAR_FACTOR,
+    )  # fmt: skip
+    return _between_limits(found, limits)
+
+
+def _bounded_star(star: SpaceStar, found: MemberSprings) -> MemberSprings:
+    """Return the same of a star."""
+    E, G, n = star.material.E, star.material.G, star.strips
+    across = float(star_polar_moment(star.h, star.b, n)) / 2.0
+    J = float(star_torsion_constant(star.h, star.b, n))
+    J -= star_core_error(float(star_arm(star.h, star.b, n)), n) * star.h**4
+    area = float(star_area(star.h, star.b, n))
+    limits = bar_limits(E=E, G=G, l=found.l, area=area, I_y=across, I_z=across, J=max(J, 0.0))
+    return _between_limits(found, limits)
+
+
+def _between_limits(found: MemberSprings, limits: BarLimits) -> MemberSprings:
+    k = found.springs.stiffness
+    low, high = limits.least / k, limits.most / k
+    inside = np.clip(k, limits.least, limits.most) / k
+    springs = found.springs._replace(stiffness=k * inside)
+    low, high = np.minimum(low / inside, 1.0) - 1.0, np.maximum(high / inside, 1.0) - 1.0
+    return found._replace(springs=springs, low=low, high=high, is_bounded=True)
 
 
 def _clamped(blade: SpaceBlade, h: float, l: float) -> tuple[ClampedSprings, tuple[bool, bool]]:
