@@ -7,6 +7,7 @@ from space_frame import Beam, Frame, beam_matrix
 from twins.drawn_in_space import in_space
 
 import flexcli
+from flexcli.formulas.sheet_factors import held_growth
 
 E, NU, L = 200e9, 0.3, 20e-3
 G = E / 2.0 / (1.0 + NU)
@@ -217,7 +218,10 @@ def test_bodies_that_do_not_fit_tilt_and_their_stress_counts_so(delta, direction
     heights = [(k - (len(directions) - 1) / 2.0) * b for k in range(len(directions))]
     whole, rows = star_frame(h, b, delta, directions, heights)
     matrix = blade_matrix(h, b)
-    outward = [warm * np.array([(1.0 + delta) * L, 0.0, z, 0.0, 0.0, 0.0]) for z in heights]
+    # clamps hold the blades' ends across by the mean of what both grow, which shortens them
+    shorter = float(held_growth(b=b, h=h, l=L, poisson_ratio=NU)) / 2.0
+    out = (1.0 + delta + shorter) * L
+    outward = [warm * np.array([out, 0.0, z, 0.0, 0.0, 0.0]) for z in heights]
     # what holds the body where it is, by the virtual work of the blades' ends
     pull = sum(row[6:].T @ out for row, out in zip(rows, outward, strict=True))
     motion, found = np.linalg.solve(whole.K, -pull), 0.0

@@ -1,8 +1,12 @@
 """What a case holds of a body counts in its stress, whichever model decides."""
 
+from math import cos, pi, sin
+
 import pytest
 
 from twins.designs import drawn
+from twins.joints import BODY, EULER_HOLDS, TURN, Joint, Loads, Twin, joint_of, yield_factor
+from twins.reissner import GROUND, Beam, Mass
 from twins.verdicts import RIGHT, checked, score
 
 E, H, B, L, X = 114e9, 0.3e-3, 3e-3, 20e-3, 0.5e-3
@@ -70,3 +74,93 @@ def test_ends_that_keep_a_body_from_turning_keep_a_force_from_it_where_a_stroke_
         for kept in (True, False):
             said = checked(design.asked(asked[name], kept), name)
             assert score(said, kept) == RIGHT
+
+
+@pytest.mark.parametrize("force", [0.02, 0.1])
+def test_a_tip_that_is_kept_from_turning_is_so_under_a_force_out_of_its_plane(force):
+    """3 E h x/l², and what the force adds at the root, of a blade that beams in space judge."""
+    stress = 3.0 * E * H * X / L**2 + 6.0 * force * L / (H * B**2)
+    for share, verdict in ((1.0 + 3.0 * PLATE, "pass"), (1.0 - 3.0 * PLATE, "fail")):
+        spec = {
+            "flexure": 1,
+            "title": "a tip kept from turning, pushed across",
+            "material": {
+                "name": "m", "youngs_modulus": f"{E} Pa", "poisson_ratio": 0.34,
+                "density": "4430 kg/m^3", "yield_strength": f"{share * stress} Pa",
+            },
+            "geometry": {"kind": "cantilever", "h": f"{H} m", "l": f"{L} m", "b": f"{B} m"},
+            "cases": {
+                "work": {
+                    "stroke": {"translation": f"{X} m"}, "wrench": {"z": f"{force} N"},
+                    "ends": "clamped-guided",
+                }
+            },
+            "requirements": {"yield": 1.0},
+        }  # fmt: skip
+        assert checked(spec, "yield").verdict == verdict, share
+
+
+PIVOT = {"half_angle": pi / 9.0, "h": 0.2e-3, "l": 20e-3, "b": 0.2e-3, "p": 5e-3}
+TURNED = 2.0 * pi / 180.0
+APART = {"at": [8e-3, 3e-3], "mass": 5e-3}
+"""A mass beside the axis of a pivot [m, kg]."""
+
+
+def judged(geometry, acting, stress):
+    """Yield the right verdict and what is said, on a pivot kept from turning, of two strengths."""
+    for share, verdict in ((1.03, "pass"), (0.97, "fail")):
+        spec = {
+            "flexure": 1,
+            "title": "a pivot kept from turning",
+            "material": {
+                "name": "m", "youngs_modulus": f"{E} Pa", "poisson_ratio": 0.34,
+                "density": "1e-3 kg/m^3", "yield_strength": f"{share * stress} Pa",
+            },
+            "geometry": geometry,
+            "cases": {
+                "work": {"stroke": {"rotation": f"{TURNED} rad"}, "ends": "clamped-guided"} | acting
+            },
+            "requirements": {"yield": 1.0},
+        }  # fmt: skip
+        yield verdict, checked(spec, "yield").verdict
+
+
+def twin_stress(joint, loads):
+    """Return the largest stress of the twin, which the ends hold as its loads come on [Pa]."""
+    twin, ends = Twin(joint, E, 0.34), (TURNED, -TURNED)
+    found = twin.face_stresses(ends, loads, (1.0, -1.0), EULER_HOLDS["clamped-guided"])
+    return 1.0 / yield_factor(found, 1.0)
+
+
+@pytest.mark.parametrize("moment", [0.0, 5e-4])
+def test_ends_that_keep_a_body_from_turning_bear_a_moment_beside_a_force(moment):
+    force = 0.15
+    stress = twin_stress(joint_of("rcc", **PIVOT), Loads(((0.0, force),), moment))
+    geometry = {"kind": "rcc", "half_angle": "20 deg"}
+    geometry |= {key: f"{PIVOT[key]} m" for key in ("h", "l", "b", "p")}
+    wrench = {"y": f"{force} N", "theta_z": f"{moment} N*m"}
+    for right, said in judged(geometry, {"wrench": wrench}, stress):
+        assert said == right
+
+
+def test_ends_that_keep_a_body_from_turning_bear_its_weight_beside_the_axis():
+    (x, y), m, g = APART["at"], APART["mass"], 30.0
+    near, far = PIVOT["p"], PIVOT["p"] + PIVOT["l"]
+    blades, beams = {}, []
+    for name, side in (("upper", 1.0), ("lower", -1.0)):
+        way = cos(PIVOT["half_angle"]), side * sin(PIVOT["half_angle"])
+        ends = [tuple(r * c for c in way) for r in (near, far)]
+        beams.append(Beam(GROUND, BODY, *ends, PIVOT["h"], PIVOT["b"]))
+        blades[name] = {
+            "between": ["ground", BODY], "h": f"{PIVOT['h']} m", "b": f"{PIVOT['b']} m",
+            **{key: [f"{c} m" for c in end] for key, end in zip(("from", "to"), ends, strict=True)},
+        }  # fmt: skip
+    joint = Joint(tuple(beams), ((BODY, Mass((x, y))),), TURN)
+    stress = twin_stress(joint, Loads(((0.0, m * g),)))
+    geometry = {
+        "kind": "layout", "moving": BODY, "motion": "rotation", "centre": ["0 m", "0 m"],
+        "bodies": {BODY: {"at": [f"{x} m", f"{y} m"], "mass": f"{m} kg"}}, "blades": blades,
+    }  # fmt: skip
+    weight = {"acceleration": {"level": f"{g} m/s^2", "axis": "y"}}
+    for right, said in judged(geometry, weight, stress):
+        assert said == right

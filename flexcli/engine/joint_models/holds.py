@@ -10,7 +10,7 @@ from flexcli.parts.ends import ENDS, Hold
 from flexcli.parts.geometries.base import Geometry, Held
 from flexcli.parts.scene import Scene
 
-__all__ = ["FREE", "driven_axis", "held_at_rest", "held_by_stroke", "hold_of"]
+__all__ = ["FREE", "driven_axis", "held_at_rest", "held_by_stroke", "hold_of", "undriven"]
 
 
 FREE = Hold(across=False, turn=False)
@@ -49,3 +49,14 @@ def held_by_stroke(scene: Scene, geometry: Geometry, travel: object) -> Held:
     if driven_axis(geometry) == 2:
         return x, y, travel  # type: ignore[return-value]
     return x, travel, 0.0 if hold_of(scene).turn else phi  # type: ignore[return-value]
+
+
+def undriven(scene: Scene, geometry: Geometry) -> Held:
+    """Return what is held of a body with a stroke, its drive free: there its stroke starts.
+
+    What keeps a body from turning does so whatever acts on it, where a stroke turns it as well.
+    """
+    x, y, phi = held_by_stroke(scene, geometry, 0.0)
+    if driven_axis(geometry) == 2:
+        return x, y, 0.0 if hold_of(scene).turn else None
+    return x, None, phi

@@ -9,7 +9,13 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.joint_models.holds import driven_axis, held_at_rest, held_by_stroke, hold_of
+from flexcli.engine.joint_models.holds import (
+    driven_axis,
+    held_at_rest,
+    held_by_stroke,
+    hold_of,
+    undriven,
+)
 from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import LEVELS, solve
@@ -243,16 +249,10 @@ def by_weight_alone(ask: Ask, solver: Solver[Found], density: Number) -> Found:
     layout, x, y = fields(ask)
     held = held_at_rest(ask.scene, ask.geometry)
     if ask.scene.moves:
-        held = _undriven(ask)
+        held = undriven(ask.scene, ask.geometry)
     elif hold_of(ask.scene).across:
         held = (held[0], None, held[2])  # more moves then
     return solver(layout, {MOVING: held}, weights_on_bodies(layout, density, x, y))
-
-
-def _undriven(ask: Ask) -> tuple[Any, Any, Any]:
-    """Return what is held of a body with a stroke, its drive free."""
-    x, y, phi = held_by_stroke(ask.scene, ask.geometry, 0.0)
-    return (x, y, None) if driven_axis(ask.geometry) == 2 else (x, None, phi)
 
 
 def _sag(
@@ -260,15 +260,13 @@ def _sag(
 ) -> Floats | float:
     """Return how far the loads move the joint along its stroke by themselves [m or rad].
 
-    A stroke is from where the loads leave the joint: the drive does not hold against them. Forces
-    turn no body whose ends a case keeps from turning.
+    A stroke is from where the loads leave the joint: the drive does not hold against them.
     """
     scene, geometry = ask.scene, ask.geometry
-    loads = _loads(scene, layout, density, signs, 0.0)
-    held_turn = driven_axis(geometry) == 2 and hold_of(scene).turn and scene.push == 0.0
-    if not loads or held_turn:
+    loads, kept = _loads(scene, layout, density, signs, 0.0), undriven(scene, geometry)
+    if not loads or kept[driven_axis(geometry)] is not None:
         return 0.0
-    held, body = {MOVING: _undriven(ask)}, layout.index(MOVING)
+    held, body = {MOVING: kept}, layout.index(MOVING)
     own = geometry.own_mass > 0.0 and any(any(field[:2]) for field in scene.accelerations)
     if scene.push == 0.0 and not own:
         # a moment on a stage moves it, a force along the axis of symmetry nothing

@@ -5,13 +5,14 @@ stroke under half of them and under all: a stroke is from where they leave the j
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache
+from functools import cache, partial
 from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
+from flexcli.engine.joint_models.holds import hold_of
 from flexcli.engine.joint_models.space_errors import beam_errors
 from flexcli.engine.joint_models.space_stroke import Loads, at_travel, driven_coordinate
 from flexcli.errors import SolveError
@@ -63,6 +64,8 @@ def linear_box(ask: Ask) -> tuple[SweptBox, tuple[str, ...]]:
     scene, travels = ask.scene, _travels(ask.scene)
     if ask.geometry.is_guided:
         raise NotAvailable("is guided, which its box by small motion is not: take --model exact")
+    if scene.states_ends and hold_of(scene).turn:
+        raise NotAvailable("is kept from turning, its box by small motion not: take --model exact")
 
     def plain() -> Sweep:
         joint = _joint(ask, warm=False)
@@ -105,11 +108,9 @@ def exact_box(ask: Ask) -> tuple[SweptBox, tuple[str, ...]]:
     def loaded(share: float, signs: Sequence[float]) -> Sweep:
         joint, each, halves, sags = acting()
         loads = tuple(signed(each, [share * sign for sign in signs]))
-        if scene.moves:
-            sag = _sag(ask, loads)
-            states = [at_travel(ask, float(t) + sag, loads=loads) for t in known]
-        else:
-            states = [at_travel(ask, None, loads=loads)]
+        at = partial(at_travel, ask, loads=loads, hold=hold_of(scene))
+        sag = _sag(ask, loads) if scene.moves else 0.0
+        states = [at(float(t) + sag) for t in known] if scene.moves else [at(None)]
         told = _of_states(ask, joint, states, share * halves, share * sags)
         found = _spread(told, known, travels)
         # what loads move is as unsure as what bears them
@@ -233,7 +234,8 @@ def _of_states(
 
 def _sag(ask: Ask, loads: Loads) -> float:
     """Return how far loads move the free drive of the joint [m or rad]."""
-    under, free = (at_travel(ask, None, loads=each) for each in (loads, ()))
+    at = partial(at_travel, ask, None, hold=hold_of(ask.scene))
+    under, free = (at(loads=each) for each in (loads, ()))
     own = driven_coordinate(under.layout)
     return float((under.coordinates - free.coordinates).ravel()[own])
 

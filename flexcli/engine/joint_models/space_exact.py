@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
+from flexcli.engine.joint_models.holds import hold_of
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_critical import critical_shares, may_stand
 from flexcli.engine.joint_models.space_deflection import deflections, warm_sag_ratio
@@ -283,7 +284,8 @@ class SpaceExactModel(SpaceLinearModel):
 
         ``stroke`` is the share of it that is gone, ``warmth`` that of what heat strains.
         """
-        scene, at = ask.scene, partial(at_travel, ask, blades=self.blades, warmth=warmth)
+        scene, hold = ask.scene, hold_of(ask.scene)
+        at = partial(at_travel, ask, blades=self.blades, warmth=warmth, hold=hold)
         if not scene.moves:
             return (at(None, loads=loads),)
         sag = self._sag_of_drive(ask, loads, warmth) if loads else 0.0
@@ -296,12 +298,12 @@ class SpaceExactModel(SpaceLinearModel):
         coarse = levels.index(min(levels))
         name = f"{self.blades.name}, {max(levels)} for {min(levels)}"
         alike = self.blades._replace(name=name, levels=tuple(sorted(levels)))
-        finer = at_travel(ask, travels[coarse], alike, loads=loads, warmth=warmth)
+        finer = at_travel(ask, travels[coarse], alike, loads=loads, warmth=warmth, hold=hold)
         return (finer, ends[1]) if coarse == 0 else (ends[0], finer)
 
     def _sag_of_drive(self, ask: Ask, loads: Loads, warmth: float) -> float:
         """Return how far loads move the free drive of the joint [m or rad]."""
-        at = partial(at_travel, ask, None, self.blades, warmth=warmth)
+        at = partial(at_travel, ask, None, self.blades, warmth=warmth, hold=hold_of(ask.scene))
         under, free = (at(loads=each) for each in (loads, ()))
         own = driven_coordinate(under.layout)
         return float((under.coordinates - free.coordinates).ravel()[own])

@@ -8,6 +8,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.holds import FREE
 from flexcli.engine.joint_models.space_errors import StrokeErrors, beam_errors, strain_error
 from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along
@@ -19,6 +20,7 @@ from flexcli.mechanics.space.exact.members import MembersOf
 from flexcli.mechanics.space.exact.support import support_compliance
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
 from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.ends import Hold
 from flexcli.parts.requirements import Ask, Told
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.results import ErrorRange
@@ -52,7 +54,7 @@ NEARBY = 0.2
 Loads: TypeAlias = tuple[SpaceLoad, ...]
 """Dead loads on bodies of a layout."""
 
-_Asked: TypeAlias = tuple[str, float | None, Loads, float, bool, bool]
+_Asked: TypeAlias = tuple[str, float | None, Loads, float, bool, bool, bool]
 
 _KNOWN: WeakKeyDictionary[SpaceJoint, dict[_Asked, SpaceEquilibrium | SolveError]]
 _KNOWN = WeakKeyDictionary()
@@ -81,13 +83,15 @@ def at_travel(
     loads: Loads = (),
     warmth: float = 1.0,
     start: SpaceEquilibrium | None = None,
+    hold: Hold = FREE,
 ) -> SpaceEquilibrium:
     """Return the joint at a travel of its drive, all else free but for a guide; by beams if unsaid.
 
     Without a travel the drive is free: the joint is as its loads and its temperature leave it, of
     whose strains it has the share ``warmth``; the path is that from ``start`` where there is one,
-    of the same blades, else from rest, of beams by the end of the stroke. Where the ask is ``near``
-    another, what a small change makes of that one.
+    of the same blades, else from rest, of beams by the end of the stroke. ``hold`` is what keeps
+    the body from turning besides. Where the ask is ``near`` another, what a small change makes of
+    that one.
 
     Raises
     ------
@@ -101,11 +105,12 @@ def at_travel(
     joint = joint_of(ask, warm=heat is not None)
     blades = BEAMS if blades is None else blades
     known = _KNOWN.setdefault(joint, {})
-    key = blades.name, travel, loads, warmth, ask.near is not None, start is not None
+    own = ask.near is not None, start is not None, hold.turn
+    key = blades.name, travel, loads, warmth, *own
     if key not in known:
         layout = joint.layout if heat is None or warmth == 1.0 else joint.layout.grown(warmth)
         frames = drive_frame(layout.drive)
-        motion = held_motion(ask, layout, travel)
+        motion = held_motion(ask, layout, travel, hold)
         if ask.near is None:
             try:
                 known[key] = solve(
@@ -116,13 +121,13 @@ def at_travel(
                     tolerance=blades.tolerance,
                     levels=blades.levels,
                     made=blades.made,
-                    start=start or _on_the_way(ask, travel, blades, loads, warmth),
+                    start=start or _on_the_way(ask, travel, blades, loads, warmth, hold),
                 ).checked()
             except SolveError as error:  # whoever asks next need not look for it again
                 known[key] = error
         else:
             near = ask.near._replace(scene=ask.scene)
-            about = at_travel(near, travel, blades, loads=loads, warmth=warmth)
+            about = at_travel(near, travel, blades, loads=loads, warmth=warmth, hold=hold)
             known[key] = beside(about, layout, motion, loads=loads, frames=frames, made=blades.made)
     found = known[key]
     if isinstance(found, SolveError):
@@ -134,7 +139,7 @@ def at_travel(
 
 
 def _on_the_way(
-    ask: Ask, travel: float | None, blades: Blades, loads: Loads, warmth: float
+    ask: Ask, travel: float | None, blades: Blades, loads: Loads, warmth: float, hold: Hold
 ) -> SpaceEquilibrium | None:
     """Return the joint without loads at the end of a stroke nearby, from which it is not far.
 
@@ -148,7 +153,7 @@ def _on_the_way(
     if travel is not None and abs(travel - (near or 0.0)) > NEARBY * abs(near or 0.0):
         return None
     with suppress(NotAvailable, SolveError):
-        return at_travel(ask, near, blades, warmth=warmth)
+        return at_travel(ask, near, blades, warmth=warmth, hold=hold)
     return None
 
 
@@ -160,16 +165,19 @@ def _under(travel: float | None, loads: Loads) -> str:
 
 
 def held_motion(
-    ask: Ask, layout: SpaceLayout, travel: float | None = None
+    ask: Ask, layout: SpaceLayout, travel: float | None = None, hold: Hold = FREE
 ) -> dict[str, list[float | None]]:
     """Return what holds the driven body in its drive's frame: its guide, and its drive at a travel.
 
-    Without a travel the drive is free.
+    Without a travel the drive is free. ``hold`` keeps the body from turning about z.
     """
     held: list[float | None] = [None] * 6
-    if ask.geometry.is_guided:
+    if ask.geometry.is_guided or (hold.turn and not layout.drive.turns):
         held[5] = 0.0  # the frame's third axis is z
-    held[3 if layout.drive.turns else 0] = travel
+    if layout.drive.turns:
+        held[3] = 0.0 if travel is None and hold.turn else travel
+    else:
+        held[0] = travel
     return {layout.drive.body: held}
 
 
