@@ -185,6 +185,20 @@ def test_blades_with_stiff_middles_reach_their_stroke_and_agree_there():
         assert number.solid_error < 5.0 * MESH
 
 
+def test_long_stiff_middles_are_stretched_by_what_the_error_of_a_support_counts():
+    found, _ = numbers(
+        "{kind: necked-down-stage, blades: 2, spacing: 20 mm, h: 0.2 mm, l_c: 1 mm, l: 40 mm, "
+        "b: 3 mm}",
+        "{stroke: {translation: 1 um}}",
+        only=("k_stage", "support_y"),
+    )
+    # 38 mm a thousand times as stiff as the 2 mm of the hinges
+    stretched = 1.0 / (1.0 + 38.0 / 2.0 / 1e3) - 1.0
+    assert found["support_y"].apart == pytest.approx(stretched, abs=MESH)
+    assert all(number.agrees for number in found.values())
+    assert found["k_stage"].solid_error < -stretched / 2.0
+
+
 COLD = """\
 flexure: 1
 material: ti-6al-4v

@@ -23,7 +23,7 @@ from flexcli.parts.requirements import (
     EndStress,
     JointModel,
 )
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 __all__ = ["Corrected"]
@@ -220,7 +220,7 @@ class Corrected(BuiltOn):
             found = [s._replace(axial=s.axial * along) for s in found]
         if not ask.scene.moves:
             factor, _ = self._of_push(ask)
-            return name, [s._replace(mean=s.mean * factor) for s in found]
+            return name, [s._replace(mean=s.mean * factor * self._warm(ask, s)[0]) for s in found]
         of_mean = bool(ask.scene.mean_travel) or not ask.scene.push
         whole, corrected = self._factor(ask, QuantityKind.STRESS), []
         for s in found:
@@ -271,6 +271,22 @@ class Corrected(BuiltOn):
             return 1.0, ErrorRange(smaller(low, 1.0) - 1.0 - loose, larger(high, 1.0) - 1.0 + loose)
         value = (low + high) / 2.0
         return value, ErrorRange(low / value - 1.0 - loose, high / value - 1.0 + loose)
+
+    def _warm(self, ask: Ask, stress: EndStress) -> tuple[Number, ErrorRange]:
+        """Return the factor of what a temperature bends a wide blade by, and the range left.
+
+        Loads beside it, without a stroke, have the moments of beams.
+        """
+        wide, effect = stress.wide, self._widening(ask)
+        if ask.scene.temperature is None or wide is None or effect is None:
+            return 1.0, ErrorRange(0.0, 0.0)
+        low, high = wide.low, wide.high
+        if not _is_told(effect, _setting(ask)) or ask.scene.loads != {LoadKind.TEMPERATURE}:
+            low = smaller(low, 1.0)
+        value = (low + high) / 2.0
+        if not isfinite(value):
+            return 1.0, ErrorRange(-1.0, inf)
+        return value, ErrorRange(low / value - 1.0, high / value - 1.0)
 
     def _widening(self, ask: Ask, kind: QuantityKind = QuantityKind.STRESS) -> ModelEffect | None:
         """Return the effect of wide blades where it corrects a kind of number of the model."""
@@ -414,7 +430,9 @@ class Corrected(BuiltOn):
             bent = self._of_bent(ask)
             if bent is None:
                 return None
-            found += self._of_loads(ask) + self._of_pulled(ask) + self._of_heat(ask) + bent
+            found += self._of_loads(ask) + self._of_pulled(ask) + bent
+        if scene.temperature is not None:
+            found += self._of_warmth(ask)
         if scene.push:
             factor, wide = self._of_push(ask)
             pushed = self._of_pushed_travel(ask) + ErrorRange(-wide, wide)
@@ -541,25 +559,6 @@ class Corrected(BuiltOn):
         low, high = (share * (each / value - 1.0) for each in (low, high))
         return ErrorRange(low - off, high + off)
 
-    def _of_heat(self, ask: Ask) -> ErrorRange:
-        """Return what wide blades leave that heat bends: by motions, and in any shape.
-
-        Of a stress beside that of a stroke which is corrected, and of all without one.
-        """
-        scene, setting = ask.scene, _setting(ask)
-        if scene.temperature is None or self._widening(ask) is None:
-            return ErrorRange(0.0, 0.0)
-        if scene.moves:
-            share = self._share_beside(ask)
-            is_corrected = bool(scene.mean_travel) or not scene.push
-            factor = self._factor(ask, QuantityKind.STRESS) if is_corrected else 1.0
-        else:
-            each = [(abs(s.amplitude) + abs(s.mean), s.largest) for s in self.stresses(ask)[1]]
-            bent, largest = (larger(map(number, part)) for part in zip(*each, strict=True))
-            share, factor = bent / larger(abs(largest), LEAST_STRESS), 1.0
-        low, high = (share * (most / factor - 1.0) for most in (1.0, widest(setting)))
-        return ErrorRange(smaller(low, 0.0), larger(high, 0.0))
-
     def _of_forces(self, ask: Ask) -> ErrorRange:
         """Return what of the largest stress forces along wide blades leave, see plates.
 
@@ -568,19 +567,38 @@ class Corrected(BuiltOn):
         effect = self._widening(ask)
         if effect is None:
             return ErrorRange(0.0, 0.0)
-        most, least, sizes = 0.0, 0.0, 0.0
+        found = list[tuple[Number, ErrorRange]]()
         for s in self.stresses(ask)[1]:
             if s.wide is None:
                 return change_by_loads(_setting(ask))
-            size, left = number(abs(s.largest)), self._of_wide(ask, s)[1]
-            sizes = larger(sizes, size)
-            most, least = (
-                larger(most, size * (1.0 + left.high)),
-                larger(least, size * (1.0 + left.low)),
-            )
-        if sizes == 0.0:
+            found.append((number(abs(s.largest)), self._of_wide(ask, s)[1]))
+        return _of_largest(found)
+
+    def _of_warmth(self, ask: Ask) -> ErrorRange:
+        """Return what wide blades leave of a stress by what a temperature moves their ends.
+
+        Beside a stroke it has the factor of that, and may have one of any shape.
+        """
+        effect = self._widening(ask)
+        if effect is None:
             return ErrorRange(0.0, 0.0)
-        return ErrorRange(smaller(least / sizes - 1.0, 0.0), larger(most / sizes - 1.0, 0.0))
+        if ask.scene.moves:
+            change = self._changes(ask, effect).get(QuantityKind.STRESS)
+            own = 1.0 + ((change.value or 0.0) if change is not None else 0.0)
+            share, most = self._share_beside(ask), larger(widest(_setting(ask)) / own, 1.0)
+            return ErrorRange(share * (1.0 / own - 1.0), share * (most - 1.0))
+        plain, found = self.inner.stresses(ask)[1], list[tuple[Number, ErrorRange]]()
+        for s, as_beam in zip(self.stresses(ask)[1], plain, strict=True):
+            bent, left = number(abs(s.mean)), self._warm(ask, as_beam)[1]
+            share = bent / larger(bent + number(abs(s.axial)), LEAST_STRESS)
+            found.append((number(abs(s.largest)), ErrorRange(share * left.low, share * left.high)))
+        return _of_largest(found) + ErrorRange(0.0, self._of_stretch(plain))
+
+    def _of_stretch(self, stresses: Sequence[EndStress]) -> Number:
+        """Return how much more wide blades may have of what a temperature stretches [-]."""
+        return larger(
+            0.0, *(s.wide.axial * (s.wide.kept - 1.0) for s in stresses if s.wide is not None)
+        )
 
     def _of_pushed_travel(self, ask: Ask) -> ErrorRange:
         """Return what a travel by a force may change of its stress, either way.
@@ -728,6 +746,19 @@ def _as_much(other: Number) -> ErrorRange:
 def _is_told(effect: ModelEffect, setting: Setting) -> bool:
     """Return whether an effect knows its change, for all that what is not given may be."""
     return effect.spans_what_it_needs or not effect.lacks(setting)
+
+
+def _of_largest(found: Sequence[tuple[Number, ErrorRange]]) -> ErrorRange:
+    """Return the range of the largest of several stresses, each with its own.
+
+    One that is not the largest may become it.
+    """
+    sizes = larger(0.0, *(size for size, _ in found))
+    if sizes == 0.0:
+        return ErrorRange(0.0, 0.0)
+    least = larger(0.0, *(size * (1.0 + left.low) for size, left in found))
+    most = larger(0.0, *(size * (1.0 + left.high) for size, left in found))
+    return ErrorRange(smaller(least / sizes - 1.0, 0.0), larger(most / sizes - 1.0, 0.0))
 
 
 def _whole_range(

@@ -23,7 +23,7 @@ from flexcli.engine.joint_models.joint_states import (
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.states_beside import states_beside, trail_of
 from flexcli.engine.joint_models.warm_shift import Shifts, warm_shift
-from flexcli.engine.joint_models.wide_under_force import factors_of_states
+from flexcli.engine.joint_models.wide_under_force import factors_of_states, factors_of_warmth
 from flexcli.engine.planning.coverage import COVERAGE, covered
 from flexcli.formulas.amplified import FURTHER, bent_part
 from flexcli.formulas.blade_spring import Warping
@@ -405,8 +405,10 @@ class ExactModel(JointModel):
                 )
                 own += weights.off(index, added, fine.axial, fine.bending, state.motions)
             faces = {"left": states_of(total.left), "right": states_of(total.right)}
-            is_wide = scene.moves and plates is None
-            wide = factors_of_states(ask, blade, fine) if is_wide else None
+            wide = None
+            if plates is None and (scene.moves or temperature is not None):
+                factors = factors_of_states if scene.moves else factors_of_warmth
+                wide = factors(ask, blade, fine)
             found.extend(worst_of_stroke(ask, blade.name, faces, wide))
             here = larger(*(largest_of_each(np.abs(face)) for face in faces.values()))
             most = larger(most, here)

@@ -5,15 +5,18 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.plates_under_force import s_under_force, under_force
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.sheet_factors import axial_factor
 from flexcli.mechanics.layout import Blade
 from flexcli.mechanics.stresses import BladeStress
-from flexcli.numerics.rows import number, states_of
+from flexcli.numerics.rows import Number, larger, number, of_each, smaller, states_of
+from flexcli.parts.bending.plate_range import blade_factor
+from flexcli.parts.geometries.base import Blade as Sizes
 from flexcli.parts.requirements import Ask, WideFactor
 
-__all__ = ["StateFactors", "factors_of_states"]
+__all__ = ["StateFactors", "factors_of_states", "factors_of_warmth"]
 
 Floats = NDArray[np.float64]
 
@@ -69,6 +72,42 @@ def factors_of_states(ask: Ask, blade: Blade, stress: BladeStress) -> StateFacto
     share = np.abs(pull) / np.where(most > 0.0, most, 1.0)
     kept = np.maximum(axial_factor(**at), s_under_force(n=n, **at))
     return StateFactors(low, high, share, kept, most)
+
+
+def factors_of_warmth(ask: Ask, blade: Blade, stress: BladeStress) -> StateFactors:
+    """Return the factors of the bending of a blade whose ends a temperature moves, in all states.
+
+    A plate's moments over the beam's at the same motions: of an arc, of an S and of what is between
+    by their shares. Where the body finds its place by what blades of several shapes resist, and of
+    one whose thickness varies, it is anything between those of all shapes.
+    """
+    nu = ask.material.elastic.most_nu
+    under = factors_of_states(ask, blade, stress)
+    if not isinstance(blade.profile, Constant):
+        flat = 1.0 + float(plates.bound(nu))
+        return under._replace(high=flat * under.high, kept=flat * under.kept)
+    (x, y), (u, v) = blade.start, blade.end
+    l = np.hypot(np.subtract(u, x), np.subtract(v, y))
+    sizes = Sizes(_of_designs(blade.profile.h), _of_designs(l), _of_designs(blade.b))
+    arc, s_shape = (
+        blade_factor(formula, sizes, nu)
+        for formula in (plates.pure_bending_factor, plates.guided_factor)
+    )
+    lows, highs = ((arc.low, s_shape.low), (arc.high, s_shape.high))
+    if ask.geometry.closed_forms and ask.geometry.motion == "translation":
+        bent = states_of(stress.bending)
+        first, last = bent[..., 0], bent[..., -1]
+        both = np.abs(first + last) + np.abs(first - last)
+        share = np.abs(first - last) / np.where(both > 0.0, both, 1.0)
+        low, high = ((1.0 - share) * of_arc + share * of_s for of_arc, of_s in (lows, highs))
+    else:
+        low, high = np.asarray(smaller(*lows)), np.asarray(larger(*highs))
+    return under._replace(low=low * under.low, high=high * under.high)
+
+
+def _of_designs(value: Any) -> Number:
+    """Return a size of a blade as the number of one design, or those of many."""
+    return of_each(np.ravel(np.asarray(value, dtype=np.float64)))
 
 
 def _of_states(value: Any) -> Floats:

@@ -81,15 +81,21 @@ class Bricks:
         return self.lattice[:, side]
 
     @property
-    def stiff_share(self) -> float:
-        """Return how much of a blade bent to an S would bend in what does not flex, over the rest.
+    def stiff_shares(self) -> tuple[float, float]:
+        """Return how much would give way in what does not flex, over the rest: bent, stretched.
 
-        It is ∫ x²/h³ ds of the one over that of the other, x from the middle of the blade.
+        Of a blade bent to an S it is ∫ x²/h³ ds of the one over that of the other, x from the
+        middle of the blade; of one that is stretched ∫ ds/h.
         """
         s, h = self.places[self.face(-1)[:, 0], 0], 2.0 * self.places[self.face(-1)[:, 0], 1]
-        each = np.diff(s[::2]) * (s[1::2] - (s[0] + s[-1]) / 2.0) ** 2 / h[1::2] ** 3
-        stiff = self.stiff.reshape(each.size, -1)[:, 0]
-        return float(each[stiff].sum() / each[~stiff].sum())
+        stretched = np.diff(s[::2]) / h[1::2]
+        square = (s - (s[0] + s[-1]) / 2.0) ** 2
+        bent = stretched / h[1::2] ** 2 * (square[:-2:2] + 4.0 * square[1::2] + square[2::2]) / 6.0
+        stiff = self.stiff.reshape(bent.size, -1)[:, 0]
+        of_bent, of_stretched = (
+            float(each[stiff].sum() / each[~stiff].sum()) for each in (bent, stretched)
+        )
+        return of_bent, of_stretched
 
     @property
     def volume(self) -> float:

@@ -62,9 +62,14 @@ class Deck(NamedTuple):
     bodies: Mapping[str, tuple[int, int]]
 
 
-def softness(model: SolidModel) -> float:
-    """Return the share by which what is not quite rigid softens the blades, bent to an S."""
-    return max(stretch.bricks.stiff_share for stretch in model.stretches) / RIGID
+def softness(model: SolidModel) -> tuple[float, float]:
+    """Return by what share what is not quite rigid softens the blades: bent to an S, in any way.
+
+    Stretched, bent evenly or across the width, they give way all along what is between hinges.
+    """
+    shares = [stretch.bricks.stiff_shares for stretch in model.stretches]
+    bent, stretched = (max(each) / RIGID for each in zip(*shares, strict=True))
+    return bent, max(bent, stretched)
 
 
 def rounding(model: SolidModel) -> float:

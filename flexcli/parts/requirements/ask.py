@@ -102,7 +102,8 @@ class WideFactor(NamedTuple):
     """How a force along a wide blade changes the factor by which plates raise its stress.
 
     ``low`` to ``high`` is the change of the factor of its bending, ``axial`` the share of its
-    stress that is not bending, ``kept`` the largest factor of that, for the same motions.
+    stress that is not bending, ``kept`` the largest factor of that, for the same motions. Without
+    a stroke, of what a temperature bends, ``low`` to ``high`` is the factor itself.
     """
 
     low: Number
