@@ -19,11 +19,12 @@ FURTHER = 0.05
 
 
 def amplified(bent: Number, unlike: Number) -> Number:
-    """Return by what share a number is off of which so much is bent, ``ε g/(1 − g (ε − δ))``.
+    """Return by what share a number is off of which so much is bent.
 
     Loads that are a share s of what buckles a joint amplify by ``1/(1 − s)``, and where it is
-    softer by ε by ``1/(1 − s (1 + ε))``, which is more by this: of g, what more of them by the
-    share δ, ``FURTHER``, makes, ``s/(1 − s (1 + δ))``. It is endless where the joint may buckle.
+    softer by ε by ``1/(1 − s (1 + ε))``. By more of them by the share δ, ``FURTHER``, the part that
+    is bent is ``g = s (1 + δ)/(1 − s (1 + δ))``, so that the error is ``ε g/(1 + δ − g (ε − δ))``.
+    It is endless where the joint may buckle.
 
     Parameters
     ----------
@@ -34,7 +35,7 @@ def amplified(bent: Number, unlike: Number) -> Number:
 
     """
     g, off = np.asarray(bent, dtype=np.float64), np.asarray(unlike, dtype=np.float64)
-    left = 1.0 - g * (off - FURTHER)
+    left = 1.0 + FURTHER - g * (off - FURTHER)
     found = np.where(left > 0.0, off * g / np.where(left > 0.0, left, 1.0), inf)
     return number(found) if found.ndim else float(found)
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from flexcli.formulas.spectrum import Scale
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["harmonic_gain", "response_moments"]
+__all__ = ["harmonic_gain", "response_moments", "squared_gain"]
 
 Floats = NDArray[np.float64]
 
@@ -98,7 +98,7 @@ def response_moments(
             density = g1 + (g2 - g1) * (f - f1) / (f2 - f1)
         power = (density * width * weights).reshape(-1)
         f = f.reshape(-1)
-        square = _squared_gain(f, angular, Q, coefficients, residual) * power[:, None]
+        square = squared_gain(f, angular, Q, coefficients, residual) * power[:, None]
         moments += np.stack([f**order @ square for order in orders])
     return moments
 
@@ -142,16 +142,26 @@ def harmonic_gain(
     chapter 7.
 
     """
-    omega = 2.0 * np.pi * f[:, None]
-    gain = 1.0 / ((angular - omega) * (angular + omega) + 1j * omega * angular / Q)
-    return np.asarray(gain @ coefficients.T + residual)
+    return np.asarray(_of_modes(f, angular, Q) @ coefficients.T + residual)
 
 
-def _squared_gain(
+def squared_gain(
     f: Floats, angular: Floats, Q: float | Floats, coefficients: Floats, residual: Floats
 ) -> Floats:
-    response = harmonic_gain(f, angular, Q, coefficients, residual)
-    return np.asarray(response.real**2 + response.imag**2)
+    """Return the square of the size of :func:`harmonic_gain`, by products of real arrays alone."""
+    gain = _of_modes(f, angular, Q)
+    found, other = gain.real @ coefficients.T + residual, gain.imag @ coefficients.T
+    found *= found
+    other *= other
+    found += other
+    return np.asarray(found)
+
+
+def _of_modes(f: Floats, angular: Floats, Q: float | Floats) -> NDArray[np.complex128]:
+    """Return the gain of each mode (frequencies, modes) [s²]."""
+    omega = 2.0 * np.pi * f[:, None]
+    gain = 1.0 / ((angular - omega) * (angular + omega) + 1j * omega * angular / Q)
+    return np.asarray(gain)
 
 
 def _marks(resonances: Floats, Q: float | Floats) -> Floats:

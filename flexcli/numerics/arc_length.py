@@ -139,13 +139,13 @@ def follow(
             bend = point.tangent @ (weight * last.tangent) + point.slope * last.slope
             off = x - guess.x
             astray = float(np.hypot(np.sqrt(off @ (weight * off)), parameter - guess.parameter))
-            there = kind(x, parameter)
-            sound = there == here or point.slope * last.slope < 0.0 or stride <= close * longest
-            if bend > _STRAIGHT and astray < _ASTRAY * stride and sound:
-                points.append(point)
-                here = there
-                stride = min(longest, stride * float(np.clip(_WANTED / iterations, 0.5, 2.0)))
-                continue
+            if bend > _STRAIGHT and astray < _ASTRAY * stride:
+                there = kind(x, parameter)
+                if there == here or point.slope * last.slope < 0.0 or stride <= close * longest:
+                    points.append(point)
+                    here = there
+                    stride = min(longest, stride * float(np.clip(_WANTED / iterations, 0.5, 2.0)))
+                    continue
         stride /= 2.0
         if stride < _SHORTEST * longest:
             break

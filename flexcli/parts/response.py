@@ -7,7 +7,7 @@ from math import pi, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.modal_response import harmonic_gain, response_moments
+from flexcli.formulas.modal_response import harmonic_gain, response_moments, squared_gain
 from flexcli.formulas.spectrum import spectral_level
 from flexcli.numerics.modes import Modes, natural_modes
 from flexcli.parts.asd import AppliedASD, Axis, Vibration
@@ -227,11 +227,12 @@ def sine_peaks(
     Q = mode_qualities(structure, quality, (axis,), modes)
     ends = min(frequencies), max(frequencies)
     f = np.union1d(sweep_points(ends, modes.angular / (2.0 * pi), Q), frequencies)
-    gain = level(f)[:, None] * _gain(structure, modes, rows.matrix, axis, Q, f)
+    squares = squared_gain(f, modes.angular, Q, *_coefficients(structure, modes, rows.matrix, axis))
+    squares *= level(f)[:, None] ** 2
     found = {}
-    for name, block in rows.by_name(np.abs(gain)):
+    for name, block in rows.by_name(squares):
         # components that are not in phase stay below the root of the sum of their squares
-        found[name] = float(np.sqrt((block**2).sum(axis=-1)).max())
+        found[name] = sqrt(float((block @ np.ones(block.shape[-1])).max()))
     return found
 
 
@@ -324,10 +325,16 @@ def _gain(
     structure: Structure, modes: Modes, rows: Floats, axis: str, Q: float | Floats, f: Floats
 ) -> NDArray[np.complex128]:
     """Return the complex amplitude of rows per acceleration of the base, by all modes."""
+    return harmonic_gain(f, modes.angular, Q, *_coefficients(structure, modes, rows, axis))
+
+
+def _coefficients(
+    structure: Structure, modes: Modes, rows: Floats, axis: str
+) -> tuple[Floats, Floats]:
+    """Return what rows have of each mode and of none, per acceleration of the base."""
     participation, _, static = participations(structure, modes, rows, axis)
     per_mode = -(rows @ modes.shapes) * participation
-    residual = static - (per_mode / modes.angular**2).sum(axis=1)
-    return harmonic_gain(f, modes.angular, Q, per_mode, residual)
+    return per_mode, static - (per_mode / modes.angular**2).sum(axis=1)
 
 
 def _density_points(

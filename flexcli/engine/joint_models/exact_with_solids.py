@@ -38,7 +38,7 @@ from flexcli.numerics.rows import number, one_alone
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
-from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress
+from flexcli.parts.requirements import Ask, Bent, CriticalShare, DriveEffort, EndStress
 from flexcli.parts.requirements.warm_shift import WarmShift
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import acting_across, changed_across
@@ -215,7 +215,7 @@ class ExactWithSolids(ExactModel):
         if ask.scene.across_by:
             raise NotAvailable("has no force at stroke by solids under loads out of its plane")
         found, (K, _) = [], self._stiffness(ask)
-        beam, _ = super()._settled_stiffness(ask)
+        beam = self._beam(ask)
         K_error = self.error(ask, QuantityKind.STIFFNESS)
         for travel, effort, error, load in super().effort(ask):
             more = (K - beam) * abs(travel)
@@ -241,7 +241,7 @@ class ExactWithSolids(ExactModel):
             raise NotAvailable("is judged by its nominal stress, which is that of beams")
         if ask.scene.temperature is not None or ask.scene.on_bodies:
             raise NotAvailable("has no solid at a temperature, or among several joints")
-        beam, off, found = super()._settled_stiffness(ask)[0], 0.0, list[_Worst]()
+        beam, off, found = self._beam(ask), 0.0, list[_Worst]()
         borne, higher = self._wrenches(ask, beam), of_larger_bodies(ask)
         for solid in self._solids(ask)[1]:
             fine, coarse = (self._worst(ask, solid, borne, orders) for orders in (FINE, COARSE))
@@ -275,6 +275,17 @@ class ExactWithSolids(ExactModel):
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at the surface where it is largest."""
         return "stress at the surface of solids, principal or von Mises", self._judged(ask)[0]
+
+    def bent(self, ask: Ask) -> Bent:
+        """Return what loads bend of beams, which the solid is stiffer or softer than."""
+        found = super().bent(ask)
+        if not np.any(found.share):
+            return found
+        return found._replace(unlike=abs(self._stiffness(ask)[0] / self._beam(ask) - 1.0))
+
+    def _beam(self, ask: Ask) -> float:
+        """Return the stiffness of beams."""
+        return super()._settled_stiffness(ask)[0]
 
     def _hinge_turn(self, ask: Ask, travel: float) -> float:
         """Return by how much a hinge turns at most at a travel [rad]."""

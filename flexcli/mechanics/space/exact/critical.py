@@ -316,12 +316,14 @@ def _walk(
 
     It starts at stable unknowns and their share of the loads.
     """
-    known: list[tuple[Floats, int]] = []
+    known: list[tuple[Floats, int]] = []  # of the last point of the path, and of one tried beyond
 
     def unstable(x: Floats, parameter: float) -> int:
-        if not (known and known[-1][0] is x):
-            known.append((x, _counted(assembly, demand, free, x, parameter)[1]))
-        return known[-1][1]
+        found = next((each for each in known if each[0] is x), None)
+        if found is None:
+            found = x, _counted(assembly, demand, free, x, parameter)[1]
+        known[:] = [*[each for each in known if each[0] is not x][-1:], found]
+        return found[1]
 
     points = follow(
         _steps(assembly, demand),

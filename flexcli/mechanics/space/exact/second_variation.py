@@ -221,9 +221,10 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
         kept[6 * K + run] = True
     inner = slice(0, size) if kept.all() else np.flatnonzero(kept)
     A, B = H[inner][:, inner], H[inner, size:]
-    scale = np.sqrt(np.max(np.abs(A), axis=1))
-    A = A / np.outer(scale, scale)
-    B = B / scale[:, None]
+    unit = 1.0 / np.sqrt(np.max(np.abs(A), axis=1))
+    A = unit[:, None] * A
+    A *= unit
+    B = unit[:, None] * B
     # the moments take part with minus their compliance, the closing of δτ with none
     concave = 3 * K - int(np.sum(law.compliance < 0.0)) + len(runs) * warped
     followed, negative = solved_and_counted(A, B)

@@ -117,7 +117,9 @@ def _energy(
 def _flat(X: Floats) -> tuple[Floats, Floats, Floats]:
     """Return ``(1 − F)/X`` of X = β⁴ and its first two derivatives."""
     low = np.minimum(X, _WIDE**4)
-    sums = low[..., None] ** np.arange(_TERMS) @ _COLUMNS
+    powers = np.empty((*X.shape, _TERMS))
+    powers[..., 0], powers[..., 1:] = 1.0, low[..., None]
+    sums = np.multiply.accumulate(powers, axis=-1, out=powers) @ _COLUMNS
     P, Q = np.moveaxis(sums[..., :3], -1, 0), np.moveaxis(sums[..., 3:], -1, 0)
     g = P[0] / Q[0]
     g_1 = (P[1] - g * Q[1]) / Q[0]
