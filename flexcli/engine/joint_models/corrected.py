@@ -1,20 +1,16 @@
 """A model with corrections for effects that it does not carry itself: each by its formula, once."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
-from math import inf
-
-import numpy as np
 
 from flexcli.engine.joint_models.built_on import BuiltOn
-from flexcli.engine.joint_models.remembered import Remembered
-from flexcli.formulas.amplified import amplified
+from flexcli.engine.joint_models.corrected_effort import CorrectedEffort
+from flexcli.engine.joint_models.corrected_stress import CorrectedStress
+from flexcli.engine.joint_models.corrections import Corrections, setting_of
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
+from flexcli.numerics.rows import isfinite, larger, number
 from flexcli.parts.effect_names import EffectName
-from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
-from flexcli.parts.effects.estimate import MOST
-from flexcli.parts.effects.plate import change_by_loads, flattest, pulled, stretched, widest
+from flexcli.parts.effects import ModelEffect, Setting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import (
@@ -23,32 +19,13 @@ from flexcli.parts.requirements import (
     EndStress,
     JointModel,
 )
-from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 __all__ = ["Corrected"]
 
-LEAST_STRESS = LEAST_STIFFNESS = 1e-300
-"""Stress and stiffness below which there is none [Pa, N/m or N·m/rad]."""
-
-PUSHED = 2.0
-"""Times the share that a load along the stroke has in a stress by which it may be off."""
-
-SHORTENED = 0.35
-"""By how much more a wide blade shortens than its beam, of what a plate is stiffer at most: an arc
-up to 0.2 of it, an S beside its chord 0.32, by ``plate_shortening``."""
-
-NOTHING_BORNE = 0.0, 0.0, 0.0
-"""What no loads make of an effort, by beams, by a joint as stiff, and its error."""
-
 
 class Corrected(BuiltOn):
-    """The answers of a model times one factor an effect, and what is left to be off by.
-
-    An effect whose value nobody knows, or that lacks a property of the material, corrects
-    nothing: the whole range of what it may change is part of the error. So do the ``omitted``,
-    between none of what they change and all of it.
-    """
+    """The answers of a model as effects correct them, and what is left to be off by."""
 
     def __init__(
         self,
@@ -58,12 +35,11 @@ class Corrected(BuiltOn):
         omitted: Sequence[ModelEffect] = (),
     ) -> None:
         self.inner = inner
-        self.effects = tuple(effects)
-        self.omitted = tuple(omitted)
+        self.by = Corrections(inner, effects, omitted)
+        self.of_stress, self.of_effort = CorrectedStress(self.by), CorrectedEffort(self.by)
         self.name = name or inner.name
         self.at_stroke, self.at_rest = inner.at_stroke, inner.at_rest
         self.directs_blades = inner.directs_blades
-        self._known: Remembered[dict[EffectName, dict[str, Change]]] = Remembered()
 
     def shares(self, other: JointModel) -> None:
         """Let the inner models share."""
@@ -72,129 +48,44 @@ class Corrected(BuiltOn):
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
         """Return the effects of the inner model, and those whose values correct it."""
-        lacking = {e.name for e in (*self.effects, *self.omitted) if e.lacks(setting)}
+        lacking = {e.name for e in (*self.by.effects, *self.by.omitted) if e.lacks(setting)}
         known = {
             effect.name
-            for effect in self._added(setting)
+            for effect in self.by.added(setting)
             if any(change.value is not None for change in effect.changes(setting).values())
         }
         return frozenset(self.inner.covers | self.inner.always | known) - lacking
 
     def may_know(self, ask: Ask, kind: QuantityKind) -> bool:
         """Return whether the effects leave an error, whatever the inner model may carry."""
-        return self._left_by(ask, kind, EXACT, self.inner.may_carry(kind)) is not None
+        return self.by.left_by(ask, kind, EXACT, self.inner.may_carry(kind)) is not None
 
     def frequency_factor(self, ask: Ask) -> float:
         """Return what the effects change beside the stiffness."""
-        factor, setting = self.inner.frequency_factor(ask), _setting(ask)
-        for effect in self._added(setting):
+        factor, setting = self.inner.frequency_factor(ask), setting_of(ask)
+        for effect in self.by.added(setting):
             change = effect.changes(setting).get("frequency")
             factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
         return factor
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
-        return self.inner.stiffness(ask) * self._factor(ask, QuantityKind.STIFFNESS)
+        return self.by.stiffness(ask)
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
-        """Return the efforts at the ends of the stroke, corrected as the stiffness is.
-
-        What beside the stiffness at rest a large travel makes of an effort may be corrected or not;
-        it bends wide blades otherwise, up to as flat as plates are. Curvature that flattens them
-        makes more of it, as of their moments. What loads make of it is that of a joint as stiff.
-        Errors of the stiffness are of its own share, however small the whole is.
-        """
-        factor = self._factor(ask, QuantityKind.STIFFNESS)
-        widens = self._widening(ask, QuantityKind.STIFFNESS) is not None
-        most = larger(factor, flattest(_setting(ask)) if widens else 1.0)
-        stiffened, warm = factor != 1.0 or most != 1.0, ask.scene.temperature is not None
-        cold = ask._replace(scene=ask.scene.at_assembly())
-        plain = float(self.inner.stiffness(cold)) if stiffened or warm else 0.0
-        other, flat = larger(abs(factor - 1.0), most / factor - 1.0), self._flattened(ask)
-        given = self.inner.effort(ask)
-        borne = self._borne(ask, given, factor, most) if stiffened else [NOTHING_BORNE] * len(given)
-        found = []
-        for (travel, effort, known, load), (beam, of_loads, unsure) in zip(
-            given, borne, strict=True
-        ):
-            own = factor * (effort - beam)
-            whole = own + of_loads
-            error = None if known is None else self._left(ask, QuantityKind.STIFFNESS, known)
-            if error is not None and whole != 0.0:
-                share = larger(abs(own / whole), 1.0)
-                if warm:  # which presses and pulls no less if blades are stiffer
-                    share = larger(share, abs(factor * plain * travel / whole))
-                beside = abs(own - factor * plain * abs(travel)) * other if stiffened else 0.0
-                off = (beside + unsure) / abs(whole)
-                error = ErrorRange(share * error.low - off, share * (error.high + flat) + off)
-            found.append(DriveEffort(travel, whole, error, load))
-        return tuple(found)
-
-    def _borne(
-        self, ask: Ask, given: Sequence[DriveEffort], factor: float, most: float
-    ) -> list[tuple[float, float, float]]:
-        """Return what loads make of the efforts: by beams, by a joint as stiff, and its error.
-
-        A joint so many times as stiff under its loads is the joint under so much less. Of what
-        bends otherwise nobody knows more than that it is between beams and flat plates. The error
-        has what wide blades shorten otherwise as they bend, and all of what other effects do.
-        """
-        scene = ask.scene
-        if not scene.is_loaded or scene.temperature is not None:
-            return [NOTHING_BORNE] * len(given)
-        alone = self._efforts(ask, scene.without_loads())
-        try:
-            under = [(k, self._efforts(ask, scene.with_loads(1.0 / k))) for k in (factor, most)]
-        except NotAvailable:  # softer, it buckles
-            return [NOTHING_BORNE] * len(given)
-        of_loads = [
-            [k * (effort - own) for effort, own in zip(efforts, alone, strict=True)]
-            for k, efforts in ((1.0, [each.effort for each in given]), *under)
-        ]
-        off, found = self._shortened(ask, factor), list[tuple[float, float, float]]()
-        for beam, value, flat in zip(*of_loads, strict=True):
-            unsure = larger(abs(beam - value), abs(flat - value)) + off * abs(value)
-            found.append((beam, value, number(unsure)))
-        return found
-
-    def _efforts(self, ask: Ask, scene: Scene) -> list[float]:
-        """Return the efforts of beams in another scene."""
-        return [each.effort for each in self.inner.effort(ask._replace(scene=scene))]
-
-    def _shortened(self, ask: Ask, factor: float) -> float:
-        """Return by how much the shortening of bent blades may differ from that of beams [-].
-
-        A stage of its own form shifts by that; of blades in any shape it is that of plates at most.
-        """
-        effect = self._widening(ask, QuantityKind.STIFFNESS)
-        if effect is None:
-            return abs(factor - 1.0)
-        found = self._changes(ask, effect)
-        widened, shift = found.get(QuantityKind.STIFFNESS), found.get(QuantityKind.SHIFT)
-        most = SHORTENED * (flattest(_setting(ask)) - 1.0)
-        if shift is not None and ask.geometry.motion == "translation" and ask.geometry.closed_forms:
-            most = smaller(most, shift.bound)
-        own = 1.0 + ((widened.value if widened is not None else None) or 0.0)
-        return most + abs(factor / own - 1.0)
-
-    def _flattened(self, ask: Ask) -> float:
-        """Return by how much curvature at most raises the moments of a travel [-]."""
-        for effect in (*self.effects, *self.omitted):
-            if effect.name is EffectName.ANTICLASTIC and effect.indicator(_setting(ask)):
-                change = self._changes(ask, effect).get(QuantityKind.STRESS)
-                return 0.0 if change is None else change.bound
-        return 0.0
+        """Return the efforts at the ends of the stroke, corrected as the stiffness is."""
+        return self.of_effort.effort(ask)
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
-        return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG)
+        return self.inner.sag_stiffness(ask) / self.by.factor(ask, QuantityKind.SAG)
 
     def sags(self, ask: Ask) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the sags in either sense, with what their size changes in them."""
         changes = self.inner.sag_changes(ask)
         sag, known = float(self.sag(ask)), self.inner.error(ask, QuantityKind.SAG)
         if known is not None:
-            known = self._left(ask, QuantityKind.SAG, known)
+            known = self.by.left(ask, QuantityKind.SAG, known)
         found = list[tuple[float, ErrorRange | None]]()
         for more, off in changes:
             of_change = ErrorRange(-off / (1.0 + more), off / (1.0 + more))
@@ -205,98 +96,11 @@ class Corrected(BuiltOn):
         """Return the signed shift at the end of the case's stroke [m]."""
         if ask.scene.temperature is not None:
             return self._warm_shift(ask)[0]
-        return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT)
+        return self.inner.parasitic_shift(ask) * self.by.factor(ask, QuantityKind.SHIFT)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
-        """Return the stresses, those of the stroke corrected.
-
-        A wide blade resists a curvature more than a beam; under a force along the stroke it is
-        curved less, and its moments and stresses are those of the force. That of a force along it
-        is its largest across the width.
-        """
-        name, found = self.inner.stresses(ask)
-        if self._widening(ask) is not None:
-            along = stretched(_setting(ask)).value
-            found = [s._replace(axial=s.axial * along) for s in found]
-        if not ask.scene.moves:
-            factor, _ = self._of_push(ask)
-            return name, [s._replace(mean=s.mean * factor * self._warm(ask, s)[0]) for s in found]
-        of_mean = bool(ask.scene.mean_travel) or not ask.scene.push
-        whole, corrected = self._factor(ask, QuantityKind.STRESS), []
-        for s in found:
-            factor = whole * self._of_wide(ask, s)[0]
-            mean = s.mean * factor if of_mean else s.mean
-            corrected.append(s._replace(amplitude=s.amplitude * factor, mean=mean))
-        return name, corrected
-
-    def _of_push(self, ask: Ask) -> tuple[Number, Number]:
-        """Return the factor of the stress by a load along the stroke, and what wide blades leave.
-
-        It moves the joint by its force over the stiffness, and both are corrected. That of blades
-        which a case keeps from turning is the force's.
-        """
-        factor: Number = 1.0
-        wide: Number = 0.0
-        scene = ask.scene
-        if scene.push == 0.0 or not _setting(ask).largest_travel:
-            return factor, wide
-        for effect in self._of_stress(ask):
-            found = self._changes(ask, effect)
-            both = found.get(QuantityKind.STRESS), found.get(QuantityKind.STIFFNESS)
-            stress, stiffness = (None if each is None else each.value for each in both)
-            if stress is None or stiffness is None:
-                continue
-            ratio = (1.0 + stress) / (1.0 + stiffness)
-            if effect.name is EffectName.SHEAR:
-                factor *= ratio
-            elif effect.name is EffectName.PLATE_WIDENING and not scene.keeps_turn:
-                wide = abs(ratio - 1.0)
-        return factor, wide
-
-    def _of_wide(self, ask: Ask, stress: EndStress) -> tuple[Number, ErrorRange]:
-        """Return what the force along a wide blade changes of its factor, and the range left.
-
-        Nothing is changed where the factor corrects nothing; nor where a force makes the travel.
-        """
-        wide, effect = stress.wide, self._widening(ask)
-        if wide is None or effect is None:
-            return 1.0, ErrorRange(0.0, 0.0)
-        change = self._changes(ask, effect).get(QuantityKind.STRESS)
-        plain = 1.0 + (change.value or 0.0) if change is not None else 1.0
-        low, high = (each / plain for each in wide.of(plain))
-        if not isfinite(high):
-            return 1.0, ErrorRange(-1.0, inf)
-        loose = pulled(_setting(ask)) * wide.axial
-        if change is None or change.value is None or ask.scene.push:
-            return 1.0, ErrorRange(smaller(low, 1.0) - 1.0 - loose, larger(high, 1.0) - 1.0 + loose)
-        value = (low + high) / 2.0
-        return value, ErrorRange(low / value - 1.0 - loose, high / value - 1.0 + loose)
-
-    def _warm(self, ask: Ask, stress: EndStress) -> tuple[Number, ErrorRange]:
-        """Return the factor of what a temperature bends a wide blade by, and the range left.
-
-        Loads beside it, without a stroke, have the moments of beams.
-        """
-        wide, effect = stress.wide, self._widening(ask)
-        if ask.scene.temperature is None or wide is None or effect is None:
-            return 1.0, ErrorRange(0.0, 0.0)
-        low, high = wide.low, wide.high
-        if not _is_told(effect, _setting(ask)) or ask.scene.loads != {LoadKind.TEMPERATURE}:
-            low = smaller(low, 1.0)
-        value = (low + high) / 2.0
-        if not isfinite(value):
-            return 1.0, ErrorRange(-1.0, inf)
-        return value, ErrorRange(low / value - 1.0, high / value - 1.0)
-
-    def _widening(self, ask: Ask, kind: QuantityKind = QuantityKind.STRESS) -> ModelEffect | None:
-        """Return the effect of wide blades where it corrects a kind of number of the model."""
-        return self._widening_beside(self.inner.carries(ask, kind))
-
-    def _widening_beside(self, carried: frozenset[EffectName]) -> ModelEffect | None:
-        """Return it where the model carries these besides what it always has."""
-        carried |= self.inner.covers | self.inner.always
-        both = (e for e in self.effects if e.name not in carried)
-        return next((e for e in both if e.name is EffectName.PLATE_WIDENING), None)
+        """Return the stresses, those of the stroke corrected."""
+        return self.of_stress.stresses(ask)
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the critical forces, those in the plane corrected by what they do not carry."""
@@ -308,10 +112,10 @@ class Corrected(BuiltOn):
     def _corrected(self, ask: Ask, critical: Critical) -> Critical:
         if critical.way == ACROSS_WIDTH:
             return critical
-        factor = self._factor(ask, QuantityKind.BUCKLING, critical.carries)
+        factor = self.by.factor(ask, QuantityKind.BUCKLING, critical.carries)
         error = critical.error
         if error is not None:
-            error = self._left(ask, QuantityKind.BUCKLING, error, critical.carries)
+            error = self.by.left(ask, QuantityKind.BUCKLING, error, critical.carries)
         return critical._replace(force=critical.force * factor, error=error)
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
@@ -325,8 +129,8 @@ class Corrected(BuiltOn):
         if found is None:
             return None
         if kind is QuantityKind.STRESS:
-            beside = self._beside_stroke(ask)
-            left = self._left(ask, kind, found)
+            beside = self.of_stress.beside_stroke(ask)
+            left = self.by.left(ask, kind, found)
             if left is None or beside is None:
                 return None
             # of the corrected stress, whatever the corrections leave; nothing is less than none
@@ -337,7 +141,7 @@ class Corrected(BuiltOn):
             if EffectName.THICK_NOTCH not in self.inner.always:  # solids have the peak itself
                 low = (1.0 + low) * (1.0 - ask.geometry.peaks_above(ask.sizes)) - 1.0
             return ErrorRange(low, high) if isfinite(low) and isfinite(high) else None
-        left = self._left(ask, kind, found)
+        left = self.by.left(ask, kind, found)
         if left is not None and ask.scene.temperature is not None:
             left = self._strained(ask, kind, left)
         if kind is not QuantityKind.SAG or not ask.scene.sags:
@@ -360,7 +164,7 @@ class Corrected(BuiltOn):
         if not (of_stiffness or (kind is QuantityKind.SAG and along)):
             return error
         try:
-            unlike, share = self._unlike(ask), self.inner.heat_in_stiffness(ask)
+            unlike, share = self.by.unlike(ask), self.inner.heat_in_stiffness(ask)
         except NotAvailable:
             return None
         if unlike is None:
@@ -380,7 +184,7 @@ class Corrected(BuiltOn):
         """
         from flexcli.parts.requirements.warm_shift import combined
 
-        warm, bending = self.inner.warm_shift(ask), self._unlike(ask)
+        warm, bending = self.inner.warm_shift(ask), self.by.unlike(ask)
         if not ask.scene.moves:
             found = _between(*combined(warm, bending=number(bending or 0.0)))
             return found if bending is not None else (found[0], None)
@@ -419,295 +223,6 @@ class Corrected(BuiltOn):
         except NotAvailable:  # no shear modulus, or no blades
             return None
 
-    def _beside_stroke(self, ask: Ask) -> ErrorRange | None:
-        """Return what of a stress is not the stroke's: of a force beside it, of blades' weight."""
-        scene, found = ask.scene, ErrorRange(0.0, 0.0)
-        if scene.moves and scene.has_plane:
-            found += self._of_nearer_end(ask)
-        if scene.moves:
-            found += self._of_forces(ask)
-        if scene.is_loaded:
-            bent = self._of_bent(ask)
-            if bent is None:
-                return None
-            found += self._of_loads(ask) + self._of_pulled(ask) + bent
-        if scene.temperature is not None:
-            found += self._of_warmth(ask)
-        if scene.push:
-            factor, wide = self._of_push(ask)
-            pushed = self._of_pushed_travel(ask) + ErrorRange(-wide, wide)
-            if scene.moves:
-                of_mean = self._factor(ask, QuantityKind.STRESS) if scene.mean_travel else 1.0
-                share = self._pushed_share(ask)
-                low, high = (share * each for each in pushed + _as_much(factor / of_mean))
-                pushed = ErrorRange(low, high)
-            elif scene.beyond or scene.blade_force:  # other loads bend it besides
-                pushed += _as_much(1.0 / factor)
-            found += pushed
-        if not scene.is_accelerated:
-            return found
-        if ask.geometry.has_limbs(ask.material.elastic, ask.sizes):
-            return None  # nobody knows what they weigh
-        if self.inner.weighs_blades and ask.material.density is not None:
-            return found
-        from flexcli.engine.joint_models.blade_weight import left_share
-
-        try:
-            more = left_share(ask, self.inner.stresses(ask)[1])
-        except NotAvailable:
-            return None
-        return found + ErrorRange(-more, more)
-
-    def _of_bent(self, ask: Ask) -> ErrorRange | None:
-        """Return what blades that loads and heat bend leave, which are as stiff as they are.
-
-        What a model has in its stress it has in what bends it.
-        """
-        try:
-            bent = self.inner.bent(ask)
-        except NotAvailable:  # a little more of them buckles it
-            return None
-        if not np.any(bent.share):
-            return ErrorRange(0.0, 0.0)
-        softer = self._unlike(ask, self.inner.carries(ask, QuantityKind.STRESS))
-        if softer is None:
-            return None
-        unlike = softer + bent.unlike
-        return ErrorRange(-bent.share * unlike, amplified(bent.share, unlike))
-
-    def _unlike(self, ask: Ask, carried: frozenset[EffectName] = frozenset()) -> Number | None:
-        """Return by how much blades that bend are off in stiffness, beside those of the model.
-
-        What corrects their stiffness at assembly counts as an error of what forces bend.
-        """
-        cold = ask._replace(scene=ask.scene.at_assembly())
-        known = self.inner.error(cold, QuantityKind.STIFFNESS)
-        left = None if known is None else self._left(cold, QuantityKind.STIFFNESS, known, carried)
-        if left is None:
-            return None
-        factor = self._factor(cold, QuantityKind.STIFFNESS, carried)
-        return number(left.largest) + abs(factor - 1.0)
-
-    def _of_nearer_end(self, ask: Ask) -> ErrorRange:
-        """Return what corrections that grow with the travel do not do at its nearer end.
-
-        They are of the end at which the stress is largest. The amplitude is between both ends: a
-        term that is of the square of the travel, as the two ways of an uneven joint, cancels there.
-        Of ends that are alike nothing is less; bars in torsion have no two ways.
-        """
-        low, high, is_even = 1.0, 1.0, not ask.scene.mean_travel
-        for change in self._growing(ask):
-            factor = 1.0 + (change.value or 0.0)
-            low /= larger(factor, 1.0)
-            high /= 1.0 if is_even else smaller(factor, 1.0)
-        return ErrorRange(low - 1.0, high - 1.0)
-
-    def _of_loads(self, ask: Ask) -> ErrorRange:
-        """Return what is raised too much of a stress that is in part of loads beside the stroke.
-
-        Of loads is a mean that is not that of the stroke.
-        """
-        more = 1.0
-        for effect in self._of_stress(ask):
-            change = self._changes(ask, effect).get(QuantityKind.STRESS)
-            if effect.spares_loads and change is not None:
-                more *= 1.0 + larger(change.value or 0.0, 0.0)
-        if more == 1.0:
-            return ErrorRange(0.0, 0.0)
-        return ErrorRange((1.0 / more - 1.0) * self._share_beside(ask), 0.0)
-
-    def _share_beside(self, ask: Ask) -> Number:
-        """Return the largest share of a stress that is a mean which the stroke does not make."""
-        scene, shares = ask.scene, [0.0]
-        own = scene.mean_travel / scene.travel if scene.travel else 0.0
-        for stress in self.inner.stresses(ask)[1]:
-            size, mean = number(abs(stress.amplitude)), number(abs(stress.mean))
-            beside = abs(mean - own * size)
-            shares.append(beside / larger(size + larger(mean, beside), LEAST_STRESS))
-        return larger(shares)
-
-    def _pushed_share(self, ask: Ask) -> Number:
-        """Return the share of the largest stress that may be of a load along the stroke.
-
-        By how far it moves the joint and by the mean beside that of the stroke, which large
-        travels and other loads may hide or be. A design nearby is moved as far.
-        """
-        scene, about = ask.scene, ask if ask.near is None else ask.near._replace(scene=ask.scene)
-        moved = scene.push / larger(number(self.stiffness(about)), LEAST_STIFFNESS)
-        share = larger(moved / (moved + scene.travel), self._share_beside(ask))
-        return smaller(PUSHED * share, 1.0)
-
-    def _of_pulled(self, ask: Ask) -> ErrorRange:
-        """Return what wide blades may have of the forces along them.
-
-        Without a stroke what widens has no share in that beside it: of the largest stress, that of
-        these forces is as unsure as they are, and the rest as what widens.
-        """
-        widening, setting = self._widening(ask), _setting(ask)
-        if widening is None or not (ask.scene.moves or _is_told(widening, setting)):
-            return ErrorRange(0.0, 0.0)
-        shares, along, bent, largest = [0.0], 0.0, 0.0, LEAST_STRESS
-        for stress in self.stresses(ask)[1]:
-            axial = number(abs(stress.axial))
-            rest = number(abs(stress.amplitude)) + number(abs(stress.mean))
-            shares.append(axial / larger(rest + axial, LEAST_STRESS))
-            along, bent = larger(along, axial), larger(bent, rest)
-            largest = larger(largest, number(abs(stress.largest)))
-        value, low, high, _ = stretched(setting)
-        share = larger(shares) if ask.scene.moves else along / largest
-        off = 0.0 if ask.scene.moves else pulled(setting) * bent / largest
-        low, high = (share * (each / value - 1.0) for each in (low, high))
-        return ErrorRange(low - off, high + off)
-
-    def _of_forces(self, ask: Ask) -> ErrorRange:
-        """Return what of the largest stress forces along wide blades leave, see plates.
-
-        Each blade's stress has its own range; one that is not the largest may become it.
-        """
-        effect = self._widening(ask)
-        if effect is None:
-            return ErrorRange(0.0, 0.0)
-        found = list[tuple[Number, ErrorRange]]()
-        for s in self.stresses(ask)[1]:
-            if s.wide is None:
-                return change_by_loads(_setting(ask))
-            found.append((number(abs(s.largest)), self._of_wide(ask, s)[1]))
-        return _of_largest(found)
-
-    def _of_warmth(self, ask: Ask) -> ErrorRange:
-        """Return what wide blades leave of a stress by what a temperature moves their ends.
-
-        Beside a stroke it has the factor of that, and may have one of any shape.
-        """
-        effect = self._widening(ask)
-        if effect is None:
-            return ErrorRange(0.0, 0.0)
-        if ask.scene.moves:
-            change = self._changes(ask, effect).get(QuantityKind.STRESS)
-            own = 1.0 + ((change.value or 0.0) if change is not None else 0.0)
-            share, most = self._share_beside(ask), larger(widest(_setting(ask)) / own, 1.0)
-            return ErrorRange(share * (1.0 / own - 1.0), share * (most - 1.0))
-        plain, found = self.inner.stresses(ask)[1], list[tuple[Number, ErrorRange]]()
-        for s, as_beam in zip(self.stresses(ask)[1], plain, strict=True):
-            bent, left = number(abs(s.mean)), self._warm(ask, as_beam)[1]
-            share = bent / larger(bent + number(abs(s.axial)), LEAST_STRESS)
-            found.append((number(abs(s.largest)), ErrorRange(share * left.low, share * left.high)))
-        return _of_largest(found) + ErrorRange(0.0, self._of_stretch(plain))
-
-    def _of_stretch(self, stresses: Sequence[EndStress]) -> Number:
-        """Return how much more wide blades may have of what a temperature stretches [-]."""
-        return larger(
-            0.0, *(s.wide.axial * (s.wide.kept - 1.0) for s in stresses if s.wide is not None)
-        )
-
-    def _of_pushed_travel(self, ask: Ask) -> ErrorRange:
-        """Return what a travel by a force may change of its stress, either way.
-
-        Corrections are of a travel that is given; a force that moves the joint as far has other
-        moments by as much.
-        """
-        found = ErrorRange(0.0, 0.0)
-        for change in self._growing(ask):
-            found += ErrorRange(-abs(change.value or 0.0), abs(change.value or 0.0))
-        return found
-
-    def _growing(self, ask: Ask) -> Iterator[Change]:
-        """Yield what effects that grow with the travel correct of a stress."""
-        for effect in self._of_stress(ask):
-            change = self._changes(ask, effect).get(QuantityKind.STRESS)
-            if effect.grows_with_travel and change is not None:
-                yield change
-
-    def _left(
-        self,
-        ask: Ask,
-        kind: QuantityKind,
-        found: ErrorRange,
-        carried: frozenset[EffectName] = frozenset(),
-    ) -> ErrorRange | None:
-        """Return an error with what the effects leave that are not carried."""
-        return self._left_by(ask, kind, found, carried | self.inner.carries(ask, kind))
-
-    def _left_by(
-        self, ask: Ask, kind: QuantityKind, found: ErrorRange, carried: frozenset[EffectName]
-    ) -> ErrorRange | None:
-        """Return an error with what all effects leave but those that are carried."""
-        ask = _asked(ask, kind)
-        setting, inner = _setting(ask), self.inner.covers | self.inner.always
-        missing, applied, beside, whole = self._missing(setting), [], [], True
-        widening = self._widening_beside(carried) if kind is QuantityKind.STRESS else None
-        low = high = 1.0
-        for effect in (*self.effects, *self.omitted):
-            if kind not in effect.only or effect.indicator(setting) is None:
-                continue
-            change = self._changes(ask, effect).get(kind)
-            if change is None:
-                continue
-            if not ask.scene.moves and effect is widening:
-                change = change._replace(error=0.0)  # by how much forces along blades have of it
-            if effect not in missing or effect.name in carried:
-                beside.append(change)
-            elif not _is_told(effect, setting):
-                if change.value is None and not effect.is_whole:
-                    return None
-                found += _whole_range(effect, change, setting, kind)
-            elif change.value is None and effect.is_whole:  # a range that holds, and no value
-                found += _whole_range(effect, change, setting, kind)
-            elif effect.name not in inner:
-                if kind is QuantityKind.BUCKLING and effect.is_whole and _only_raises(change):
-                    high, change = inf, change._replace(error=0.0)
-                applied.append(change)
-                whole = whole and effect.is_whole
-                if effect in self.omitted and change.value is not None:
-                    low *= 1.0 + smaller(change.value, 0.0)
-                    high *= 1.0 + larger(change.value, 0.0)
-            else:  # carried, at one value of the property that is not given
-                found += ErrorRange(-change.error, change.error)
-        # bounds that are of all that an effect changes leave nothing to what stands beside it
-        left = left_by(applied, () if whole else beside)
-        if left is None:
-            return None
-        found += left
-        if not (isfinite(found.low) and isfinite(found.high)):
-            return None
-        return ErrorRange(larger(1.0 + found.low, 0.0) * low - 1.0, (1.0 + found.high) * high - 1.0)
-
-    def _changes(self, ask: Ask, effect: ModelEffect) -> dict[str, Change]:
-        """Return all that an effect changes, found once for every number and its error."""
-        known = self._known.of("changes", ask, dict)
-        if effect.name not in known:
-            known[effect.name] = effect.all_changes(_setting(ask))
-        return known[effect.name]
-
-    def _missing(self, setting: Setting) -> list[ModelEffect]:
-        """Return the effects that the inner model has not, as the material lacks something."""
-        carried = self.inner.covers | self.inner.always
-        both = (*self.effects, *self.omitted)
-        return [e for e in both if e.name not in carried or e.lacks(setting)]
-
-    def _added(self, setting: Setting) -> list[ModelEffect]:
-        """Return the effects that correct the inner model."""
-        carried = self.inner.covers | self.inner.always
-        return [e for e in self.effects if e.name not in carried and _is_told(e, setting)]
-
-    def _of_stress(self, ask: Ask) -> list[ModelEffect]:
-        """Return the effects that correct the stress of the inner model."""
-        carried = self.inner.carries(ask, QuantityKind.STRESS)
-        return [e for e in self._added(_setting(ask)) if e.name not in carried]
-
-    def _factor(
-        self, ask: Ask, kind: QuantityKind, carried: frozenset[EffectName] = frozenset()
-    ) -> float:
-        carried |= self.inner.carries(ask, kind)
-        ask = _asked(ask, kind)
-        factor, setting = 1.0, _setting(ask)
-        for effect in self._added(setting):
-            if kind not in effect.only or effect.name in carried:
-                continue
-            change = self._changes(ask, effect).get(kind)
-            factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
-        return factor
-
 
 def _with_weight(ask: Ask, critical: Critical) -> Critical:
     """Return a critical force with what it may be less by since blades weigh something.
@@ -723,63 +238,8 @@ def _with_weight(ask: Ask, critical: Critical) -> Critical:
     return critical._replace(error=error + ErrorRange(1.0 / (1.0 + more) - 1.0, 0.0))
 
 
-def _only_raises(change: Change) -> bool:
-    """Return whether a change makes a number larger, by so much that nobody knows how much.
-
-    It makes others unsure by its bound alone.
-    """
-    return change.value == 0.0 and change.sign > 0 and change.error >= MOST
-
-
 def _between(value: float, least: float, most: float) -> tuple[float, ErrorRange | None]:
     """Return a value and its error by the sizes between which it is."""
     if value == 0.0 or not isfinite(most):
         return value, None
     return value, ErrorRange(least / abs(value) - 1.0, most / abs(value) - 1.0)
-
-
-def _as_much(other: Number) -> ErrorRange:
-    """Return the range of a number of which a part, or all, is another factor times as much."""
-    return ErrorRange(smaller(other, 1.0) - 1.0, larger(other, 1.0) - 1.0)
-
-
-def _is_told(effect: ModelEffect, setting: Setting) -> bool:
-    """Return whether an effect knows its change, for all that what is not given may be."""
-    return effect.spans_what_it_needs or not effect.lacks(setting)
-
-
-def _of_largest(found: Sequence[tuple[Number, ErrorRange]]) -> ErrorRange:
-    """Return the range of the largest of several stresses, each with its own.
-
-    One that is not the largest may become it.
-    """
-    sizes = larger(0.0, *(size for size, _ in found))
-    if sizes == 0.0:
-        return ErrorRange(0.0, 0.0)
-    least = larger(0.0, *(size * (1.0 + left.low) for size, left in found))
-    most = larger(0.0, *(size * (1.0 + left.high) for size, left in found))
-    return ErrorRange(smaller(least / sizes - 1.0, 0.0), larger(most / sizes - 1.0, 0.0))
-
-
-def _whole_range(
-    effect: ModelEffect, change: Change, setting: Setting, kind: QuantityKind
-) -> ErrorRange:
-    """Return all that an effect may change that corrects nothing."""
-    most = effect.estimates(setting).get(kind, change.bound)
-    if change.value is not None:
-        most = larger(most, abs(change.value) + change.error)
-    sign = change.sign
-    if sign == 0 and change.value is not None and change.error == 0.0:
-        sign = 1 if change.value > 0.0 else -1
-    return ErrorRange(0.0 if sign > 0 else -most, 0.0 if sign < 0 else most)
-
-
-def _asked(ask: Ask, kind: QuantityKind) -> Ask:
-    """Return what a kind of number is asked of: a shift is that of the stroke alone."""
-    if kind is not QuantityKind.SHIFT or not ask.scene.moves:
-        return ask
-    return ask._replace(scene=ask.scene.without_loads())
-
-
-def _setting(ask: Ask) -> Setting:
-    return Setting(ask.material, ask.geometry, ask.mechanism, ask.sizes, (ask.scene,))
