@@ -9,7 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.blade_weight import BladeWeights
-from flexcli.engine.joint_models.buckling import SETTLED, exact_critical, warm_shares
+from flexcli.engine.joint_models.buckling import (
+    SETTLED,
+    critical_unsure,
+    exact_critical,
+    warm_shares,
+)
 from flexcli.engine.joint_models.face_stress import PlateStresses, worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
@@ -35,7 +40,7 @@ from flexcli.mechanics.stresses import BladeStress, beside_beam, blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, one_alone, states_of
 from flexcli.parts.effect_names import EffectName
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Buckled, NotAvailable, buckled
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import hanging_mass
@@ -177,7 +182,11 @@ class ExactModel(JointModel):
     def _trail(self, ask: Ask) -> tuple[Equilibrium, ...]:
         """Return the equilibria of a case after those that they start from."""
         find = partial(trail_of, ask, self.effects, self.tolerance, self.levels)
-        return self._known_trails.of("states", ask, find)
+        try:
+            return self._known_trails.of("states", ask, find)
+        except Buckled as found:
+            less, more = critical_unsure(ask)
+            raise buckled(found.share, less=less, more=more) from None
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
         """Return what holds the joint at both ends of the stroke, under the case's loads."""
