@@ -358,7 +358,7 @@ class _Series:
                 nobody = [_no_answer(requirement, scene, "", "", 0.0)] if first == 0 else []
                 for check in list(best.values()) or nobody:
                     if not enough(check):
-                        fails = _buckles(check, buckled.share)
+                        fails = _buckles(check, buckled)
                         best[check.full_name] = fails._replace(model=model.name, seconds=spent)
             if best and all(enough(check) for check in best.values()):
                 break
@@ -505,11 +505,12 @@ def _open_row(requirement: Requirement, scene: Scene, text: str) -> Check:
     return Check(requirement.label, case, text, nan, nan, "", nan, asked, Verdict.UNDECIDED, "")
 
 
-def _buckles(check: Check, share: float) -> Check:
+def _buckles(check: Check, buckled: Buckled) -> Check:
     """Return the row of a requirement that fails, for the loads of its case buckle the joint."""
+    share = buckled.share
     return check._replace(
         quantity="the joint buckles under this share of the loads of the case",
-        demand=1.0, capacity=share, unit="", factor=share, factor_range=(share, share),
+        demand=1.0, capacity=share, unit="", factor=share, factor_range=buckled.between,
         verdict=Verdict.FAIL, source="loss of stability on the path of the loads",
     )  # fmt: skip
 

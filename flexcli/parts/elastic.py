@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-__all__ = ["ANY", "Buckled", "Elastic", "NotAvailable"]
+__all__ = ["ANY", "Buckled", "Elastic", "NotAvailable", "buckled"]
 
 
 class NotAvailable(ValueError):
@@ -13,11 +13,24 @@ class Buckled(NotAvailable):
     """The loads of a case buckle the joint: ``share`` of them is where it loses its stability.
 
     It is proved on the path of the loads; a solver that does not converge does not prove it.
+    It may be ``less`` or ``more`` by a share of itself.
     """
 
-    def __init__(self, share: float) -> None:
+    def __init__(self, share: float, less: float = 0.0, more: float = 0.0) -> None:
         super().__init__(f"buckles at {share:.3g} of the forces of the case")
-        self.share = share
+        self.share, self.less, self.more = share, less, more
+
+    @property
+    def between(self) -> tuple[float, float]:
+        """Return the range of the share."""
+        return self.share * max(1.0 - self.less, 0.0), self.share * (1.0 + self.more)
+
+
+def buckled(share: float, *, less: float, more: float) -> NotAvailable:
+    """Return that loads buckle a joint, or where that is unsure that nobody knows."""
+    if share * (1.0 + more) < 1.0:
+        return Buckled(share, less, more)
+    return NotAvailable(f"may buckle, as beams do at {share:.3g} of the forces of the case")
 
 
 class Elastic(NamedTuple):

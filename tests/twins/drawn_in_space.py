@@ -56,6 +56,8 @@ def in_space(spec, loaded):
     if layout.springs or not all(isinstance(b.profile, Constant) for b in layout.blades):
         return None
     back, drive = -geometry.axes, layout.drive
+    if material.is_directed and abs(np.sin(back)) > ROUNDING:
+        return None  # its directions are of the axes in which blades are drawn
     mechanism = spec.get("mechanism")
     if mechanism is not None and mechanism["kind"] != "payload":
         return None

@@ -37,6 +37,7 @@ from flexcli.units import show
 __all__ = [
     "SETTLED",
     "PushScene",
+    "critical_unsure",
     "ends_held",
     "exact_critical",
     "linear_critical_forces",
@@ -140,7 +141,7 @@ def warm_shares(
     They are those of both ends of its stroke, the drive locked there, and of each sense that the
     loads may have; what the ends of the case hold is held.
     """
-    wide = _widening(ask)
+    wide = sum(critical_unsure(ask))
     for travel, layout, held, loads in paths(ask):
         spoken = "drive free" if travel is None else "drive locked at its stroke"
         try:
@@ -161,8 +162,11 @@ def warm_shares(
         yield CriticalShare(share, spoken + crushed, known)
 
 
-def _widening(ask: Ask) -> float:
-    """Return by what share wide blades, soft clamps and a crossing may change a critical share."""
+def critical_unsure(ask: Ask) -> tuple[float, float]:
+    """Return by what share soft clamps and a crossing may lower a critical share, and raise it.
+
+    A crossing and wide blades do that.
+    """
     nu = ask.material.elastic.most_nu
     most = 1.0 / (1.0 - nu**2) - 1.0
     blade = ask.geometry.blade(ask.sizes)
@@ -170,7 +174,7 @@ def _widening(ask: Ask) -> float:
         h, l, b = (float(size) for size in blade)
         most = float(pure_bending_factor(b=b, l=l, h=h, poisson_ratio=nu)) - 1.0
     least, stiffest = map(float, ask.geometry.crossed(ask.sizes))
-    return most + ask.clamp_softening + max(stiffest - 1.0, 1.0 - least)
+    return ask.clamp_softening + max(1.0 - least, 0.0), most + max(stiffest - 1.0, 0.0)
 
 
 def _crushed(ask: Ask, found: Reached) -> tuple[float, str]:

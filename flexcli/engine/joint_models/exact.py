@@ -10,7 +10,12 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.bent_in_plane import bent_in_plane
 from flexcli.engine.joint_models.blade_weight import BladeWeights
-from flexcli.engine.joint_models.buckling import SETTLED, exact_critical, warm_shares
+from flexcli.engine.joint_models.buckling import (
+    SETTLED,
+    critical_unsure,
+    exact_critical,
+    warm_shares,
+)
 from flexcli.engine.joint_models.face_stress import PlateStresses, worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
@@ -47,7 +52,7 @@ from flexcli.numerics.rows import (
     states_of,
 )
 from flexcli.parts.effect_names import EffectName
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Buckled, NotAvailable, buckled
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import hanging_mass
@@ -206,7 +211,11 @@ class ExactModel(JointModel):
     def _trail(self, ask: Ask) -> tuple[Equilibrium, ...]:
         """Return the equilibria of a case after those that they start from."""
         find = partial(trail_of, ask, self.effects, self.tolerance, self.levels)
-        return self._known_trails.of("states", ask, find)
+        try:
+            return self._known_trails.of("states", ask, find)
+        except Buckled as found:
+            less, more = critical_unsure(ask)
+            raise buckled(found.share, less=less, more=more) from None
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
         """Return what holds the joint at both ends of the stroke, under the case's loads."""

@@ -29,7 +29,7 @@ from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.inertia import blade_masses
 from flexcli.mechanics.space.layout import SpaceLayout
 from flexcli.mechanics.space.states import Acting, action, combined
-from flexcli.parts.elastic import Buckled, NotAvailable
+from flexcli.parts.elastic import NotAvailable, buckled
 from flexcli.parts.requirements import Ask, CriticalShare
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import acting_groups, senses
@@ -195,7 +195,9 @@ def may_stand(ask: Ask, blades: Blades, loads: Loads) -> bool:
         except (NotAvailable, SolveError):
             continue
         if found.factor < 1.0 and not found.is_lost:
-            raise Buckled(found.factor)
+            known = blades.errors(at_travel(ask, travel, blades, warm=False))
+            off = found.estimated_error + (known.support if known else 0.0)
+            raise buckled(found.factor, less=off, more=off)
     return True
 
 
