@@ -11,9 +11,14 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.card import Card, Range
 
-__all__ = ["CARDS", "BarLimits", "bar_limits"]
+__all__ = ["CARDS", "ROUND_FACTOR", "BarLimits", "bar_limits"]
 
 Floats = NDArray[np.float64]
+
+
+ROUND_FACTOR = 27.0 / 32.0
+"""κ of a circle by the energy of ``τ_xz = V (a² − z²)/(3 I)``, ``τ_xy = −V y z/(3 I)``: in balance
+with bending, along its rim at the rim."""
 
 
 class BarLimits(NamedTuple):
@@ -54,7 +59,7 @@ def bar_limits(
         Saint-Venant's torsion constant, or less [m⁴].
     shear_factor : float
         κ by the energy of shear stresses that balance those of bending and leave the sides free,
-        5/6 of a rectangle; 0 where none are known [-].
+        5/6 of a rectangle, 27/32 of a circle; 0 where none are known [-].
 
     Returns
     -------
@@ -65,7 +70,9 @@ def bar_limits(
     -----
     Small motion. Stresses in balance with themselves that leave the sides free store no less energy
     under given forces than the true ones; motions that clamps allow store no less at given ends.
-    M is the modulus of what may not narrow, infinite at ν = ½.
+    M is the modulus of what may not narrow, infinite at ν = ½. CalculiX's solids of h/l 0.4 to 0.8,
+    b/l 0.5 to 1.5 and ν = 0.3 and 0.45 have 1.02 to 1.9 of the least and 0.29 to 0.87 of the most
+    in every direction.
 
     Examples
     --------

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import flexcli
-from flexcli.formulas.bar_limits import bar_limits
-from flexcli.formulas.clamped_blade import clamped_blade
+from flexcli.formulas.bar_limits import ROUND_FACTOR, bar_limits
+from flexcli.formulas.clamped_blade import clamped_blade, clamped_rod
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.results import Verdict
 
@@ -30,6 +30,32 @@ def test_blades_that_solids_know_are_between_the_limits(h, b, nu):
     assert np.all(least <= found.stiffness * (1.0 + found.high) * (1.0 + 1e-9))
     assert np.all(found.stiffness * (1.0 + found.low) <= most * (1.0 + 1e-9))
     assert np.all(least <= most * (1.0 + 1e-9))
+
+
+def test_slender_rods_are_within_what_is_told_of_them():
+    d, l, nu = 0.02, 1.0, 0.3
+    I, G = np.pi * d**4 / 64.0, E / 2.6
+    limits = bar_limits(
+        E=E, G=G, l=l, area=np.pi * d**2 / 4.0, I_y=I, I_z=I, J=2.0 * I, shear_factor=ROUND_FACTOR
+    )
+    found = clamped_rod(E=E, G=G, d=d, l=l)
+    assert np.all(limits.least <= found.stiffness * (1.0 + found.high) * (1.0 + 1e-9))
+    assert np.all(found.stiffness * (1.0 + found.low) <= limits.most)
+    # sections that stay rigid are stiffer by (1 − ν)/((1 + ν)(1 − 2ν)), but in torsion
+    held = (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))
+    assert limits.most / limits.least == pytest.approx([held] * 3 + [1.0, held, held], rel=1e-3)
+
+
+def test_the_shear_of_a_circle_is_in_balance_and_has_that_energy():
+    """By polar quadrature: ``∫ (τ_xz² + τ_xy²) dA`` is ``V²/(κ A)``, and ``∫ τ_xz dA`` is V."""
+    r, w = np.polynomial.legendre.leggauss(12)
+    r, w = (r + 1.0) / 2.0, w / 2.0
+    angle = np.arange(48) * 2.0 * np.pi / 48
+    y, z = np.outer(r, np.cos(angle)), np.outer(r, np.sin(angle))
+    area = np.outer(w * r, np.full(48, 2.0 * np.pi / 48))
+    along, aside = (1.0 - z**2) / 3.0 * 4.0 / np.pi, -y * z / 3.0 * 4.0 / np.pi
+    assert np.sum(along * area) == pytest.approx(1.0)
+    assert np.sum((along**2 + aside**2) * area) * np.pi == pytest.approx(1.0 / ROUND_FACTOR)
 
 
 def test_without_lateral_contraction_what_stretches_and_bends_evenly_is_a_beam():

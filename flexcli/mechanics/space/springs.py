@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.bar_limits import BarLimits, bar_limits
+from flexcli.formulas.bar_limits import ROUND_FACTOR, BarLimits, bar_limits
 from flexcli.formulas.blade_spring import SHEAR_FACTOR, BladeSprings, bending, blade_springs
 from flexcli.formulas.card import Range, outside
 from flexcli.formulas.clamped_blade import (
@@ -204,7 +204,8 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
     if isinstance(member, SpaceRod):
         rod = clamped_rod(E=material.E, G=material.G, d=member.d, l=l)
         known = not outside(OF_RODS, {"d/l": member.d / l})
-        return _at_middle(rod, (known, known), member.axes, l, STRETCH)
+        found = _at_middle(rod, (known, known), member.axes, l, STRETCH)
+        return found if known else _bounded_rod(member, found)
     match member.profile:
         case Constant(h=h) if h <= member.b or isinstance(material, Isotropic):
             blade, compared = _clamped(member, float(h), l)
@@ -234,6 +235,16 @@ def _bounded(blade: SpaceBlade, found: MemberSprings, h: float) -> MemberSprings
     limits = bar_limits(
         E=E, G=G, l=found.l, area=b * h, I_y=h * b**3 / 12.0, I_z=b * h**3 / 12.0,
         J=float(torsion_constant(h, b)), shear_factor=SHEAR_FACTOR,
+    )  # fmt: skip
+    return _between_limits(found, limits)
+
+
+def _bounded_rod(rod: SpaceRod, found: MemberSprings) -> MemberSprings:
+    """Return the same of a round rod."""
+    area, I = np.pi * rod.d**2 / 4.0, np.pi * rod.d**4 / 64.0
+    limits = bar_limits(
+        E=rod.material.E, G=rod.material.G, l=found.l, area=area, I_y=I, I_z=I, J=2.0 * I,
+        shear_factor=ROUND_FACTOR,
     )  # fmt: skip
     return _between_limits(found, limits)
 
