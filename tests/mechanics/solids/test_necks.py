@@ -120,3 +120,16 @@ def test_equivalent_stresses_are_those_of_eigenvalues_and_reverse_with_the_stres
     assert np.all(found * (principal[:, 0] + principal[:, 2]) >= 0.0)
     assert np.array_equal(np.abs(equivalent(-stress)), np.abs(found))
     assert np.all(equivalent(np.zeros((2, 6))) == 0.0)
+
+
+@pytest.mark.parametrize(("bar", "slender"), [(0.0, 900.0), (2.0, 450.0)])
+def test_a_sheet_pushed_over_its_width_is_known_to_what_rounding_leaves(bar, slender):
+    sheet = Neck(0.05, 1.0, 2.0, 1.0, 0.0, 1.0, bar)
+    b = (sheet.throat + sheet.end + sheet.block) / slender
+    alike = [sheet._replace(b=b * (1.0 + k * 1e-10), e=0.05 * (1.0 - k * 1e-10)) for k in range(4)]
+    found, errors = zip(
+        *(NeckUnderLoads(neck, 1.0 + 0.1 * k, 0.3).compliance(2) for k, neck in enumerate(alike)),
+        strict=True,
+    )
+    each = np.array(found) * (1.0 + 0.1 * np.arange(4))
+    assert np.ptp(each) / each.mean() < 2.0 * min(errors)
