@@ -586,3 +586,34 @@ def test_each_path_of_loads_is_walked_once_whatever_asks(tmp_path, monkeypatch):
     monkeypatch.setattr(space_critical, "critical_load", counted)
     checked(LOST, tmp_path, model="exact")
     assert len(walked) == len(set(walked)) == 2  # one at each end of the stroke
+
+
+STAR = """
+flexure: 1
+material: {youngs_modulus: 170 GPa, yield_strength: 200 MPa, poisson_ratio: 0.3}
+geometry: {kind: star, h: 16 um, l: 12 mm, b: 0.16 mm, p: -7 um,
+           angles: [256 deg, 217 deg, 97 deg, 57 deg]}
+cases: {work: {stroke: {rotation: 9 deg}, load: {force: 0.1 mN, direction: 25 deg}}}
+requirements: {yield: {factor: 1}}
+"""
+
+
+def test_loads_at_a_stroke_are_followed_from_its_end(tmp_path, monkeypatch):
+    """The way to it is long, that of the loads there short: it ends where that from rest does."""
+    found = []
+
+    def noted(layout, held=None, *, loads=(), start=None, **how):
+        state = solve(layout, held, loads=loads, start=start, **how)
+        if loads and start is not None and start.part.demand.held.size:
+            found.append((state, start, solve(layout, held, loads=loads, **how)))
+        return state
+
+    monkeypatch.setattr(space_stroke, "solve", noted)
+    checked(STAR, tmp_path, model="exact")
+    assert found
+    for state, start, from_rest in found:
+        assert 4 * state.iterations < start.iterations
+        assert 4 * state.iterations < from_rest.iterations
+        assert state.part.assembly.split(state.part.x).forces == pytest.approx(
+            from_rest.part.assembly.split(from_rest.part.x).forces, rel=1e-4, abs=1e-4
+        )

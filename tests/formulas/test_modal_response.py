@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from flexcli.formulas.modal_response import response_moments
+from flexcli.formulas.modal_response import harmonic_gain, response_moments, squared_gain
 from flexcli.formulas.oscillator import oscillator_response
 
 FREQUENCY = np.array([20.0, 50.0, 800.0, 800.0, 2000.0])
@@ -77,3 +77,10 @@ def test_a_band_below_all_modes_is_followed_without_resonance():
     )[0, 0])  # fmt: skip
     # the next term is (f/fn)², at most 4e-4
     assert sqrt(m0) == pytest.approx(grms / (2 * pi * fn) ** 2, rel=1e-3)
+
+
+def test_squares_of_gains_are_those_of_complex_amplitudes():
+    rng = np.random.default_rng(2)
+    how = (np.linspace(1.0, 90.0, 50), rng.uniform(50.0, 400.0, 4), rng.uniform(5.0, 90.0, 4),
+           rng.normal(size=(7, 4)), rng.normal(size=7) * 1e-5)  # fmt: skip
+    assert squared_gain(*how) == pytest.approx(np.abs(harmonic_gain(*how)) ** 2, rel=1e-12)

@@ -105,3 +105,31 @@ def test_finer_bricks_change_a_stress_by_no_more_than_is_told(neck, load, monkey
     monkeypatch.setattr("flexcli.mechanics.solids.unit_loads.FINE", (6, 8, 6))
     finer = NeckUnderLoads(neck, 1.0, 0.45).stresses(unit, (6, 8, 6))[0]
     assert abs(np.abs(equivalent(finer)).max() - here) < told + 3e-3 * here
+
+
+def test_equivalent_stresses_are_those_of_eigenvalues_and_reverse_with_the_stress():
+    stress = np.random.default_rng(5).normal(size=(500, 6))
+    stress[:3] = [[2, 0, 0, 0, 0, 0], [1, 1, 0, 0, 0, 0], [-3, -3, 0, 0, 0, 0]]
+    xx, yy, zz, yz, zx, xy = stress.T
+    tensor = np.stack([xx, xy, zx, xy, yy, yz, zx, yz, zz], axis=-1).reshape(-1, 3, 3)
+    principal = np.linalg.eigvalsh(tensor)
+    apart = (np.diff(principal, axis=-1) ** 2).sum(axis=-1) + np.ptp(principal, axis=-1) ** 2
+    wanted = np.maximum(np.abs(principal).max(axis=-1), np.sqrt(apart / 2.0))
+    found = equivalent(stress)
+    assert np.abs(found) == pytest.approx(wanted, rel=1e-7)
+    assert np.all(found * (principal[:, 0] + principal[:, 2]) >= 0.0)
+    assert np.array_equal(np.abs(equivalent(-stress)), np.abs(found))
+    assert np.all(equivalent(np.zeros((2, 6))) == 0.0)
+
+
+@pytest.mark.parametrize(("bar", "slender"), [(0.0, 900.0), (2.0, 450.0)])
+def test_a_sheet_pushed_over_its_width_is_known_to_what_rounding_leaves(bar, slender):
+    sheet = Neck(0.05, 1.0, 2.0, 1.0, 0.0, 1.0, bar)
+    b = (sheet.throat + sheet.end + sheet.block) / slender
+    alike = [sheet._replace(b=b * (1.0 + k * 1e-10), e=0.05 * (1.0 - k * 1e-10)) for k in range(4)]
+    found, errors = zip(
+        *(NeckUnderLoads(neck, 1.0 + 0.1 * k, 0.3).compliance(2) for k, neck in enumerate(alike)),
+        strict=True,
+    )
+    each = np.array(found) * (1.0 + 0.1 * np.arange(4))
+    assert np.ptp(each) / each.mean() < 2.0 * min(errors)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from flexcli.formulas.torsion_section import torsion_constant
+from flexcli.mechanics.solids import octant
 from flexcli.mechanics.solids.lagrange import places_along
 from flexcli.mechanics.solids.neck import Neck, neck_lattice
 from flexcli.mechanics.solids.octant import Lattice, Octant
@@ -84,3 +85,17 @@ def test_a_slender_body_keeps_digits_where_it_is_stretched_and_none_where_it_ben
     assert found(X).compliance == pytest.approx(l / (E * e * b), rel=1e-3)
     assert found(THETA_Z) is None
     assert found(Y) is None
+
+
+def test_loads_asked_for_together_are_those_asked_one_by_one_with_layers_found_once(monkeypatch):
+    found = []
+    layer = octant._Layer
+    monkeypatch.setattr(octant, "_Layer", lambda *how: found.append(how[1]) or layer(*how))
+    lattice = neck_lattice(Neck(0.2, 1.0, 2.0, 3.0, 0.5, 1.0), (2, 3, 2))
+    both, each = Octant(lattice, E, NU), Octant(lattice, E, NU)
+    both.solve(range(6))
+    assert len(found) == lattice.layers
+    for load in range(6):
+        one, other = both.moved(load), each.moved(load)
+        assert one.compliance == pytest.approx(other.compliance, rel=1e-12)
+        assert one.stress == pytest.approx(other.stress, rel=1e-9, abs=1e-9 * one.stress.max())
