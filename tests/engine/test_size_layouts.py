@@ -219,7 +219,9 @@ def test_slopes_in_the_plane_are_those_of_whole_solutions_and_solve_nothing(monk
         for check, slope in found.items():
             one, two, three, four = (each[check] for each in logs)
             whole = (one - 8.0 * two + 8.0 * three - four) / (12.0 * step)
-            assert slope[k] == pytest.approx(whole, abs=3.0 * STEP**2)
+            # of a stress the share that the loads bend is kept
+            kept = 0.0 if check.startswith("parasitic") else 2e-3
+            assert slope[k] == pytest.approx(whole, abs=3.0 * STEP**2 + kept)
     assert len(solved) > 8
 
 

@@ -11,7 +11,7 @@ from flexcli.mechanics.solids.lagrange import element, places_along
 from flexcli.mechanics.solids.neck import Neck, neck_lattice
 from flexcli.mechanics.solids.octant import Lattice, Octant
 
-ORDERS = (4, 4, 4)
+ORDERS = (4, 8, 4)
 FIRST, GROWING = 0.15, (2.0, 2.5)
 POINTS = 24
 
@@ -24,14 +24,12 @@ def lengthening(lattice, nu, end=np.inf):
 
 
 def bar(*, l, h, b):
-    """Return the octant of a blade, its bricks small at its end and faces."""
-    thin = min(h, b)
-    x, y, z = (
-        places_along(cuts(size / 2.0, FIRST * thin, ratio), order)
-        for size, ratio, order in zip(
-            (l, h, b), (GROWING[0], *2 * GROWING[1:]), ORDERS, strict=True
-        )
+    """Return the octant of a blade, its bricks small at its end and sides, one to its thickness."""
+    x, z = (
+        places_along(cuts(size / 2.0, FIRST * min(h, b), ratio), order)
+        for size, ratio, order in zip((l, b), GROWING, ORDERS[::2], strict=True)
     )
+    y = places_along(np.array([0.0, h / 2.0]), ORDERS[1])
     return Lattice(*np.meshgrid(x, y, indexing="ij"), z, ORDERS)
 
 

@@ -1,4 +1,4 @@
-"""Block between two rigid bodies as bricks of the fourth order, small towards its clamped edges.
+"""Block between two rigid bodies as bricks of high order, small towards its clamped edges.
 
 The block has l = 1 and E = 1. At the edges of its clamps stresses have no bound: what the finest
 bricks leave of that makes it stiffer, by up to half a percent of what clamps stiffen of it.
@@ -12,7 +12,7 @@ from plates.held_solid import cuts
 from flexcli.mechanics.solids.lagrange import places_along
 from flexcli.mechanics.solids.octant import Lattice, Octant
 
-ORDER, GROWING = 4, 4.0
+ORDERS, GROWING = (4, 12, 4), 4.0
 ALONG, S_SHAPED, ARC = 0, 1, 5
 """Which of the unit loads stretch it, and bend it across its thickness."""
 
@@ -38,7 +38,10 @@ def axial_factor(*, h, b, nu, first=0.05):
 
 
 def _block(h, b, nu, first):
-    """Return an octant of the block."""
-    least = first * min(h, b)
-    x, y, z = (places_along(cuts(size / 2.0, least, GROWING), ORDER) for size in (1.0, h, b))
-    return Octant(Lattice(*np.meshgrid(x, y, indexing="ij"), z, (ORDER,) * 3), 1.0, nu)
+    """Return an octant of the block, one brick to its thickness."""
+    x, z = (
+        places_along(cuts(size / 2.0, first * min(h, b), GROWING), order)
+        for size, order in zip((1.0, b), ORDERS[::2], strict=True)
+    )
+    y = places_along(np.array([0.0, h / 2.0]), ORDERS[1])
+    return Octant(Lattice(*np.meshgrid(x, y, indexing="ij"), z, ORDERS), 1.0, nu)

@@ -106,10 +106,12 @@ class Corrections:
     def unlike(self, ask: Ask, carried: frozenset[EffectName] = frozenset()) -> Number | None:
         """Return by how much blades that bend are off in stiffness, beside those of the model.
 
-        What corrects their stiffness at assembly counts as an error of what forces bend.
+        What corrects their stiffness at assembly counts as an error of what forces bend. The error
+        of the model is that of a design nearby where there is one.
         """
         cold = ask._replace(scene=ask.scene.at_assembly())
-        known = self.inner.error(cold, QuantityKind.STIFFNESS)
+        about = cold if ask.near is None else ask.near._replace(scene=cold.scene)
+        known = self.inner.error(about, QuantityKind.STIFFNESS)
         left = None if known is None else self.left(cold, QuantityKind.STIFFNESS, known, carried)
         if left is None:
             return None
