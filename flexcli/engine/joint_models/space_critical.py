@@ -195,7 +195,7 @@ def may_stand(ask: Ask, blades: Blades, loads: Loads) -> bool:
         except (NotAvailable, SolveError):
             continue
         if found.factor < 1.0 and not found.is_lost:
-            known = blades.errors(at_travel(ask, travel, blades, warm=False))
+            known = blades.errors(at_travel(ask, travel, blades, warmth=0.0))
             off = found.estimated_error + (known.support if known else 0.0)
             raise buckled(found.factor, less=off, more=off)
     return True
