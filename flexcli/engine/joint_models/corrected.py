@@ -441,6 +441,8 @@ class Corrected(JointModel):
             found += self._of_loads(ask) + self._of_pulled(ask)
         if scene.temperature is not None:
             found += self._of_warmth(ask)
+        elif scene.blade_force and not scene.moves:
+            found += self._of_bending_further(ask)
         if scene.push:
             factor, wide = self._of_push(ask)
             pushed = self._of_pushed_travel(ask) + ErrorRange(-wide, wide)
@@ -551,6 +553,33 @@ class Corrected(JointModel):
                 return change_by_loads(_setting(ask))
             found.append((number(abs(s.largest)), self._of_wide(ask, s)[1]))
         return _of_largest(found)
+
+    def _of_bending_further(self, ask: Ask) -> ErrorRange:
+        """Return what loads along blades bend more or less of what buckles earlier or later.
+
+        A joint that bears so many times as much under its loads is, but for stresses as much
+        larger, the joint under so much less. Where it buckles then nobody knows.
+        """
+        kind = QuantityKind.BUCKLING
+        factor, left = number(self._factor(ask, kind)), self._left(ask, kind, EXACT)
+        sizes = list[Number]()
+        if left is None:
+            return ErrorRange(-1.0, inf)
+        for bears in (1.0, factor * (1.0 + left.low), factor * (1.0 + left.high)):
+            if bears <= 0.0 or not isfinite(bears):
+                return ErrorRange(-1.0, inf)
+            if bears == 1.0 and sizes:
+                sizes.append(sizes[0])
+                continue
+            scene = ask.scene if bears == 1.0 else ask.scene.with_loads(1.0 / bears)
+            try:
+                found = self.inner.stresses(ask._replace(scene=scene))[1]
+            except NotAvailable:
+                return ErrorRange(-1.0, inf)
+            sizes.append(bears * larger(0.0, *(number(abs(s.largest)) for s in found)))
+        if sizes[0] == 0.0:
+            return ErrorRange(0.0, 0.0)
+        return ErrorRange(smaller(*sizes) / sizes[0] - 1.0, larger(*sizes) / sizes[0] - 1.0)
 
     def _of_warmth(self, ask: Ask) -> ErrorRange:
         """Return what wide blades leave of a stress by what a temperature moves their ends.
