@@ -105,13 +105,13 @@ requirements: {{yield: 1}}
 
 
 @pytest.mark.parametrize(
-    ("nu", "b", "apart"), [pytest.param(0.45, 20.0, 0.21, marks=calculix),
-                           pytest.param(0.3, 4.0, 0.04, marks=[*calculix, pytest.mark.slow])],
+    ("nu", "b"), [pytest.param(0.45, 20.0, marks=calculix),
+                  pytest.param(0.3, 4.0, marks=[*calculix, pytest.mark.slow])],
 )  # fmt: skip
-def test_wide_blades_that_a_hot_body_bends_are_plates(nu, b, apart):
+def test_wide_blades_that_a_hot_body_bends_are_plates(nu, b):
     text = SPREAD.format(material=SAME.format(nu=nu).strip(), b=b)
     found = solids(text, "sigma")
-    assert found.apart == pytest.approx(apart, abs=found.solid_error)
+    assert abs(found.apart) <= found.solid_error  # beams would have a fifth less, at ν = 0.45
     largest, (low, high) = stress_of(text)
     assert low < found.solid / found.model * largest < high
 

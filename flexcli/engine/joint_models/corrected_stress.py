@@ -154,19 +154,29 @@ class CorrectedStress:
     def _of_bent(self, ask: Ask) -> ErrorRange | None:
         """Return what blades that loads and heat bend leave, which are as stiff as they are.
 
-        What a model has in its stress it has in what bends it.
+        What a model has in its stress it has in what bends it. Under loads along blades they are as
+        stiff as what buckles them is large, too.
         """
+        inner = self.by.inner
         try:
-            bent = self.by.inner.bent(ask)
+            bent = inner.bent(ask)
         except NotAvailable:  # a little more of them buckles it
             return None
         if not np.any(bent.share):
             return ErrorRange(0.0, 0.0)
-        softer = self.by.unlike(ask, self.by.inner.carries(ask, QuantityKind.STRESS))
+        carried = inner.carries(ask, QuantityKind.STRESS)
+        softer = self.by.unlike(ask, carried)
         if softer is None:
             return None
-        unlike = softer + bent.unlike
-        return ErrorRange(-bent.share * unlike, amplified(bent.share, unlike))
+        stiffer = softer
+        if ask.scene.blade_force:
+            bears = self.by.bears(ask, carried)
+            if bears is None:
+                return None
+            softer = larger(softer, 1.0 / bears[0] - 1.0)
+            stiffer = larger(stiffer, smaller(bears[1] - 1.0, 1.0))
+        low, high = stiffer + bent.unlike, softer + bent.unlike
+        return ErrorRange(-bent.share * low, amplified(bent.share, high))
 
     def _of_nearer_end(self, ask: Ask) -> ErrorRange:
         """Return what corrections that grow with the travel do not do at its nearer end.

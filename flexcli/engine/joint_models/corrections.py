@@ -10,7 +10,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.effects.estimate import MOST
 from flexcli.parts.requirements import Ask, JointModel
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 __all__ = ["Corrections", "is_told", "setting_of"]
 
@@ -117,6 +117,16 @@ class Corrections:
             return None
         factor = self.factor(cold, QuantityKind.STIFFNESS, carried)
         return number(left.largest) + abs(factor - 1.0)
+
+    def bears(
+        self, ask: Ask, carried: frozenset[EffectName] = frozenset()
+    ) -> tuple[Number, Number] | None:
+        """Return between which shares of what buckles blades of the model theirs is [-]."""
+        left = self.left(ask, QuantityKind.BUCKLING, EXACT, carried)
+        factor = self.factor(ask, QuantityKind.BUCKLING, carried)
+        if left is None or number(factor * (1.0 + left.low)) <= 0.0:
+            return None
+        return number(factor * (1.0 + left.low)), number(factor * (1.0 + left.high))
 
     def changes(self, ask: Ask, effect: ModelEffect) -> dict[str, Change]:
         """Return all that an effect changes, found once for every number and its error."""
