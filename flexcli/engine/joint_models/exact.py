@@ -41,7 +41,6 @@ from flexcli.numerics.rows import (
     isfinite,
     larger,
     largest_of_each,
-    number,
     of_each,
     one_alone,
     states_of,
@@ -189,7 +188,7 @@ class ExactModel(JointModel):
             return driven_stiffness(state, ask)
 
         cold, warm, hotter = (at(warmth) for warmth in (0.0, 1.0, 1.0 + FURTHER))
-        return number((np.abs(cold - warm) + bent_part(cold, warm, hotter)) / warm)
+        return of_each((np.abs(cold - warm) + bent_part(cold, warm, hotter)) / warm)
 
     def stiffness_at_end(self, ask: Ask) -> float:
         """Return the tangent of the effort at the end of the stroke, under the case's forces."""
