@@ -94,6 +94,19 @@ def test_the_stiffness_that_heat_leaves_is_in_its_range(T):
     assert found.agrees
 
 
+def test_what_heat_leaves_of_a_stiffness_is_the_more_unsure_the_less_it_is():
+    """Of K₀ (1 − s) an error ε of K₀ is ε/(1 − s)."""
+    widths = []
+    for T in (2.0, 10.0):
+        rows = flexcli.verdicts(bridge(0.3, 10.0, 0.01, T), model="exact").checks
+        row = [row for row in rows if row.name.startswith("stiffness")][-1]
+        low, high = map(float, row.factor_range)
+        widths.append((high - low) / row.factor)
+    # of what buckles beams, 20.6 K
+    far, near = (share / (1.0 - share) for share in (2.0 / 20.6, 10.0 / 20.6))
+    assert widths[1] / widths[0] > 0.5 * near / far > 3.0
+
+
 SPREAD = """
 flexure: 1
 {material}

@@ -232,6 +232,14 @@ def test_a_blade_between_two_others_is_at_no_side_of_its_body(l):
     assert near == pair
 
 
+def test_blades_in_line_turn_each_other_s_roots_by_less_than_is_left_open():
+    """A moment bends the side of Flamant's half-plane by 2/π E x²; a row stands 3 h apart."""
+    found, own = clamp_compliance(h=1.0, b=1.0 / PLANE, poisson_ratio=NU), root()[0, 0]
+    each = 2.0 * np.array([2.0 / (pi * (3.0 * k) ** 2) for k in range(1, 1000)])
+    in_turn = own + float(each @ np.where(np.arange(len(each)) % 2, -1.0, 1.0))
+    assert found.least < own - each.sum() < own < in_turn < found.most
+
+
 def test_rigid_clamps_change_nothing_and_giving_ones_soften_in_every_model():
     spec = geometry("leaf-spring-stage", "rigid", h=0.4, l=20.0, b=200.0, spacing=30.0)
     plain = dict(spec)

@@ -22,7 +22,9 @@ LEAST_STRESS = LEAST_STIFFNESS = 1e-300
 """Stress and stiffness below which there is none [Pa, N/m or N·m/rad]."""
 
 PUSHED = 2.0
-"""Times the share that a load along the stroke has in a stress by which it may be off."""
+"""Times the share that a load along the stroke has in a stress by which it may be off. That share
+was at most 1.13 times what is told of it (exact beams with the load and without, of 676 random
+pivots, stages and single blades, h/l 0.002 to 0.05, strokes to 0.16 rad or 0.13 l)."""
 
 
 class CorrectedStress:

@@ -175,7 +175,10 @@ rest, and what a stroke adds: CalculiX's solids of notches at 5° have the ratio
 have at rest, within 0.01; those of a filleted blade at 12° are within 0.017 of beams."""
 
 COMPARED = 0.087
-"""Turn of a hinge [rad] from which on that counts in full: what a stroke changes is even in it."""
+"""Turn of a hinge [rad] from which on that counts in full: what a stroke changes is even in it. The
+stiffness about the axis of two notches (e/r 0.1 and 0.25, b/e 15 and 4, ν 0.3 and 0.4), beams over
+CalculiX's solids, differed from that at rest by 3e-5 and 5e-5 at 1°, 5e-5 and 1.4e-4 at 2°, 1e-4
+and 3.4e-4 at 3°, and of the first 3e-4 at 5°: by the square of the turn."""
 
 FLAT = 0.3
 """Of b² κ/h of a hinge, up to which it has the errors of rest at a stroke, however wide or thick:

@@ -45,7 +45,10 @@ OF_NEXT = 0.2
 
 AWAY = 3.0
 """Distance of two blades in line over h, from which on their body reaches h beyond the face of
-either on that side, as halfway to the other it does."""
+either on that side, as halfway to the other it does. With h beyond a face a unit moment turns a
+root by 5.22/(E h²), far from sides by 5, and 5.25 are told at most. That of a blade 3 h away turns
+it by 2/9π the other way (Flamant's half-plane): a row of them in turn by 2.3 % more, alike by 4.6 %
+less."""
 
 ACROSS = 1.5
 """Largest ratio of a root's shift across the width per shear force to its stretch per axial
