@@ -43,9 +43,10 @@ Integers = NDArray[np.intp]
 _FIRST, _LONGEST, _MOST = 0.02, 0.2, 100
 _CORRECTION = 1e-12
 
-_WALKED = 1e-8
-"""Accuracy of the points that the walk goes over. Newton's method gains a digit a step there where
-sections curl: to more digits its iterations would not tell how long the steps may be."""
+_WALKED = 1e-6
+"""Accuracy of the points that the walk goes over. What is rough from node to node, Newton's method
+lessens there by a half a step: to more digits its iterations would not tell how long the steps may
+be (a rod bent and twisted far took a hundred steps of 0.001, not ten of 0.1)."""
 
 _BACK = (1.0, 0.95, 0.8)
 """Of how far a path was seen: where it is looked whether it stands on finer nodes."""
