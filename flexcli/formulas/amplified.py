@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from flexcli.numerics.rows import Number, number
 
-__all__ = ["FURTHER", "amplified", "bent_by_forces", "bent_part"]
+__all__ = ["FURTHER", "amplified", "bent_by_forces", "bent_part", "relieved"]
 
 Floats = NDArray[np.float64]
 
@@ -37,6 +37,26 @@ def amplified(bent: Number, unlike: Number) -> Number:
     g, off = np.asarray(bent, dtype=np.float64), np.asarray(unlike, dtype=np.float64)
     left = 1.0 + FURTHER - g * (off - FURTHER)
     found = np.where(left > 0.0, off * g / np.where(left > 0.0, left, 1.0), inf)
+    return number(found) if found.ndim else float(found)
+
+
+def relieved(bent: Number, unlike: Number) -> Number:
+    """Return by what share a number may be less of which so much is bent.
+
+    Of a joint that is stiffer by ε the error of :func:`amplified` is ``−ε g/(1 + δ + g (ε + δ))``.
+    Loads that pull a joint straight by s of what would buckle it relieve it by ``1/(1 + s)``; there
+    g is below 1, and softer by ε it has ``−ε g/(1 + δ + g (ε − δ))``.
+
+    Parameters
+    ----------
+    bent : float or array
+        g, see :func:`bent_by_forces` [-].
+    unlike : float or array
+        ε, by how much the stiffness may be off [-].
+
+    """
+    g, off = np.asarray(bent, dtype=np.float64), np.asarray(unlike, dtype=np.float64)
+    found = off * g / (1.0 + FURTHER + g * (off + np.where(g < 1.0, -FURTHER, FURTHER)))
     return number(found) if found.ndim else float(found)
 
 

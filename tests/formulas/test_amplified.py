@@ -5,7 +5,7 @@ from math import inf
 import numpy as np
 import pytest
 
-from flexcli.formulas.amplified import FURTHER, amplified, bent_by_forces, bent_part
+from flexcli.formulas.amplified import FURTHER, amplified, bent_by_forces, bent_part, relieved
 
 
 def amplification(s):
@@ -24,6 +24,16 @@ def test_the_error_of_what_is_amplified_is_that_of_a_softer_joint(share, softer)
     # of the same load, the share of what buckles it that it is is larger
     true = amplification(share * (1.0 + softer)) / amplification(share) - 1.0
     assert amplified(bent, softer) == pytest.approx(true, rel=1e-9)
+
+
+@pytest.mark.parametrize("off", [1e-3, 0.02, 0.1, 0.5])
+@pytest.mark.parametrize("share", [-4.0, -0.5, -0.1, 0.1, 0.5, 0.8, 0.95])
+def test_what_is_relieved_is_that_of_a_stiffer_joint_or_of_one_pulled_straight(share, off):
+    here, further = (np.array(s * amplification(s)) for s in (share, (1.0 + FURTHER) * share))
+    bent = bent_part(np.array(0.0), here, further) / abs(here)
+    there = share * (1.0 + off) if share < 0.0 else share / (1.0 + off)
+    less = 1.0 - amplification(there) / amplification(share)
+    assert less * (1.0 - 1e-9) <= relieved(bent, off) <= 1.2 * less + off**2
 
 
 def test_what_acts_in_first_order_bends_nothing_of_what_is_deformed():

@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 
 from flexcli.engine.joint_models.corrections import Corrections, is_told, setting_of
-from flexcli.formulas.amplified import amplified
+from flexcli.formulas.amplified import amplified, relieved
 from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change
@@ -177,8 +177,8 @@ class CorrectedStress:
                 return None
             softer = larger(softer, 1.0 / bears[0] - 1.0)
             stiffer = larger(stiffer, smaller(bears[1] - 1.0, 1.0))
-        low, high = stiffer + bent.unlike, softer + bent.unlike
-        return ErrorRange(-bent.share * low, amplified(bent.share, high))
+        low, high = (each + bent.unlike for each in (stiffer, softer))
+        return ErrorRange(-relieved(bent.share, low), amplified(bent.share, high))
 
     def _of_nearer_end(self, ask: Ask) -> ErrorRange:
         """Return what corrections that grow with the travel do not do at its nearer end.
