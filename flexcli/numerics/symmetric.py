@@ -7,26 +7,15 @@ __all__ = ["LARGE", "solved_and_counted"]
 
 Floats = NDArray[np.float64]
 
-LARGE = 300
-"""Rows from which on one factorisation by LAPACK takes less than all eigenvalues, with its import:
-a fifth of their time at 800."""
-
-IMPORT = 4e8
-"""Cubes of rows, all together, of whose eigenvalues take as long as LAPACK's import, a tenth of a
-second: beyond, matrices of any size are factorised, which takes a fourth of the time."""
-
-
-class _Spent:
-    """What eigenvalues have taken in this process, in cubes of rows."""
-
-    cubes = 0.0
+LARGE = 200
+"""Rows from which on one factorisation by LAPACK takes less than all eigenvalues: a third of their
+time at 250, a fifth at 800. Its import takes a tenth of a second, which fewer rows hardly save."""
 
 
 def solved_and_counted(A: Floats, b: Floats, large: int = LARGE) -> tuple[Floats, int]:
     """Return x of ``A x = b`` and the number of negative eigenvalues of a symmetric matrix.
 
-    By eigenvalues, of large or of many matrices by ``A = L D Lᵀ``, whose D has as many (Sylvester's
-    law).
+    By eigenvalues, of large matrices by ``A = L D Lᵀ``, whose D has as many (Sylvester's law).
 
     Parameters
     ----------
@@ -35,7 +24,7 @@ def solved_and_counted(A: Floats, b: Floats, large: int = LARGE) -> tuple[Floats
     b : array, shape (n, m)
         Right-hand sides.
     large : int
-        Rows from which on it is factorised in any case.
+        Rows from which on it is factorised.
 
     Returns
     -------
@@ -62,8 +51,7 @@ def solved_and_counted(A: Floats, b: Floats, large: int = LARGE) -> tuple[Floats
 
     """
     n = A.shape[0]
-    if n < large and _Spent.cubes < IMPORT:
-        _Spent.cubes += n**3
+    if n < large:
         return np.asarray(np.linalg.solve(A, b)), int(np.sum(np.linalg.eigvalsh(A) < 0.0))
     from scipy.linalg.lapack import dsytrf, dsytrf_lwork, dsytrs  # of large ones only
 

@@ -5,7 +5,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.numerics import symmetric
 from flexcli.numerics.symmetric import solved_and_counted
 
 
@@ -31,15 +30,3 @@ def test_a_factorisation_counts_and_solves_as_eigenvalues_do(n, seed, hollow):
 def test_a_matrix_that_is_singular_or_not_finite_is_said_to_be(large, number):
     with pytest.raises(np.linalg.LinAlgError):
         solved_and_counted(np.full((3, 3), number), np.ones((3, 1)), large)
-
-
-def test_many_matrices_are_factorised_as_soon_as_their_eigenvalues_cost_an_import(monkeypatch):
-    found = []
-    eigenvalues = np.linalg.eigvalsh
-    monkeypatch.setattr(np.linalg, "eigvalsh", lambda A: found.append(A) or eigenvalues(A))
-    monkeypatch.setattr(symmetric, "IMPORT", 3.5 * 20**3)
-    monkeypatch.setattr(symmetric._Spent, "cubes", 0.0)
-    A = np.diag(np.arange(-7.5, 12.0))
-    counts = [solved_and_counted(A, np.ones((20, 1)))[1] for _ in range(9)]
-    assert counts == [8] * 9
-    assert len(found) == 4
