@@ -10,7 +10,7 @@ install: .venv/bin/python
 	python3 -m venv .venv
 
 test: ## e.g. make test only=tests/spec
-	$(python) -m pytest -q -n auto --dist worksteal $(only)
+	$(python) -m pytest -q -n auto --dist loadfile $(only)
 
 lint:
 	$(python) -m ruff check .
