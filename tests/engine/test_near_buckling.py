@@ -65,7 +65,7 @@ def solids(text, name):
     ("nu", "b", "d", "T", "apart"),
     [
         pytest.param(0.45, 4.0, 0.004, 20.0, -0.11, marks=calculix),
-        pytest.param(0.3, 10.0, 0.01, 20.0, -0.045, marks=[*calculix, pytest.mark.slow]),
+        pytest.param(0.3, 10.0, 0.01, 20.0, -0.071, marks=[*calculix, pytest.mark.slow]),
     ],
 )
 def test_the_stress_of_heat_near_thermal_buckling_is_in_its_range(nu, b, d, T, apart):
