@@ -37,7 +37,7 @@ def amplified(bent: Number, unlike: Number) -> Number:
     g, off = np.asarray(bent, dtype=np.float64), np.asarray(unlike, dtype=np.float64)
     left = 1.0 + FURTHER - g * (off - FURTHER)
     found = np.where(left > 0.0, off * g / np.where(left > 0.0, left, 1.0), inf)
-    return number(found) if found.ndim else float(found)
+    return number(found)
 
 
 def relieved(bent: Number, unlike: Number) -> Number:
@@ -57,7 +57,7 @@ def relieved(bent: Number, unlike: Number) -> Number:
     """
     g, off = np.asarray(bent, dtype=np.float64), np.asarray(unlike, dtype=np.float64)
     found = off * g / (1.0 + FURTHER + g * (off + np.where(g < 1.0, -FURTHER, FURTHER)))
-    return number(found) if found.ndim else float(found)
+    return number(found)
 
 
 def bent_part(rest: Floats, here: Floats, further: Floats, share: float = FURTHER) -> Floats:
@@ -100,5 +100,5 @@ def bent_by_forces(rest: Floats, less: Floats | None, here: Floats, further: Flo
     found = bent_part(rest, here, further) / np.where(here > 0.0, here, inf)
     if less is None:
         return found
-    own = np.abs((rest - less) / FURTHER - rest)
+    own = bent_part(0.0 * rest, rest, less, -FURTHER)
     return np.asarray(found + own / np.where(rest > 0.0, rest, inf))

@@ -107,6 +107,8 @@ class Layout:
 
     def grown(self, share: Number) -> "Layout":
         """Return a layout that has grown by so many times as much."""
+        if share == 1.0 or not (self.body_growth or self.blade_growth):
+            return self
         each = (self.body_growth, self.blade_growth)
         of_bodies, of_blades = ({name: share * g for name, g in part.items()} for part in each)
         return replace(self, body_growth=of_bodies, blade_growth=of_blades)

@@ -232,9 +232,7 @@ def _beyond_crossing(blade: SpaceBlade | SpaceRod) -> SpaceBlade | SpaceRod | No
     along = (end - start) / l
     x, y, z = map(float, start + first * along)
     u, v, w = map(float, end - last * along)
-    return replace(
-        blade, start=(x, y, z), end=(u, v, w), crossed=(1.0, 1.0), shared=(0.0, 0.0)
-    )  # fmt: skip
+    return replace(blade, start=(x, y, z), end=(u, v, w), crossed=(1.0, 1.0), shared=(0.0, 0.0))
 
 
 def _softened(member: MemberSprings, E: float, added: Floats) -> Floats:

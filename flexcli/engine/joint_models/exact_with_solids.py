@@ -285,7 +285,8 @@ class ExactWithSolids(ExactModel):
 
     def _beam(self, ask: Ask) -> float:
         """Return the stiffness of beams."""
-        return super()._settled_stiffness(ask)[0]
+        find = partial(super()._settled_stiffness, ask)
+        return self._known_pairs.of("stiffness of beams", ask, find)[0]
 
     def _hinge_turn(self, ask: Ask, travel: float) -> float:
         """Return by how much a hinge turns at most at a travel [rad]."""

@@ -354,7 +354,7 @@ def at_rest(ask: Ask, effects: Effects, warmth: float = 1.0) -> tuple[Layout, He
     """
     layout, travel = warmed(ask), 0.0
     if ask.scene.temperature is not None:
-        layout = layout if warmth == 1.0 else layout.grown(warmth)
+        layout = layout.grown(warmth)
         travel = float(_left_by_temperature(ask, effects, layout)[driven_axis(ask.geometry)])
     return layout, {MOVING: ask.geometry.held(travel)}
 

@@ -2,9 +2,8 @@
 
 Blades hardly wider than thick bend aside with the bodies between them before they buckle in their
 plane, or turn over aside as they are pulled, and blades side by side pull at different heights.
-Other joints have one blade's load across
-its width; of these the whole is looked at in space, as nothing but blades holds a body with free
-ends there.
+Other joints have one blade's load across its width; of these the whole is looked at in space, as
+nothing but blades holds a body with free ends there.
 """
 
 from collections.abc import Iterator, Sequence

@@ -14,7 +14,11 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.holds import hold_of
 from flexcli.engine.joint_models.space_errors import beam_errors
-from flexcli.engine.joint_models.space_stroke import Loads, at_travel, driven_coordinate
+from flexcli.engine.joint_models.space_stroke import (
+    at_travel,
+    driven_coordinate,
+    sag_of_drive,
+)
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.lines import lines_of
@@ -109,7 +113,7 @@ def exact_box(ask: Ask) -> tuple[SweptBox, tuple[str, ...]]:
         joint, each, halves, sags = acting()
         loads = tuple(signed(each, [share * sign for sign in signs]))
         at = partial(at_travel, ask, loads=loads, hold=hold_of(scene))
-        sag = _sag(ask, loads) if scene.moves else 0.0
+        sag = sag_of_drive(ask, loads) if scene.moves else 0.0
         states = [at(float(t) + sag) for t in known] if scene.moves else [at(None)]
         told = _of_states(ask, joint, states, share * halves, share * sags)
         found = _spread(told, known, travels)
@@ -230,14 +234,6 @@ def _of_states(
         for each in zip(*map(lines_of, states), strict=True)
     ]
     return Outline(joint, ask.geometry).sweep(moved, sags=sags, lines=lines, share=share[..., 0])
-
-
-def _sag(ask: Ask, loads: Loads) -> float:
-    """Return how far loads move the free drive of the joint [m or rad]."""
-    at = partial(at_travel, ask, None, hold=hold_of(ask.scene))
-    under, free = (at(loads=each) for each in (loads, ()))
-    own = driven_coordinate(under.layout)
-    return float((under.coordinates - free.coordinates).ravel()[own])
 
 
 def _off_by_halves(joint: SpaceJoint, acting: Acting) -> Floats:

@@ -26,6 +26,7 @@ from flexcli.engine.joint_models.space_stroke import (
     Loads,
     at_travel,
     driven_coordinate,
+    sag_of_drive,
     support_at_stroke,
     warm_ratio,
     warm_support_ratio,
@@ -288,7 +289,7 @@ class SpaceExactModel(SpaceLinearModel):
         at = partial(at_travel, ask, blades=self.blades, warmth=warmth, hold=hold)
         if not scene.moves:
             return (at(None, loads=loads),)
-        sag = self._sag_of_drive(ask, loads, warmth) if loads else 0.0
+        sag = sag_of_drive(ask, loads, self.blades, warmth=warmth) if loads else 0.0
         travels = tuple(stroke * end + sag for end in scene.stroke_ends)
         ends = tuple(at(travel, loads=loads) for travel in travels)
         levels = [state.part.assembly.members.level for state in ends]
@@ -300,13 +301,6 @@ class SpaceExactModel(SpaceLinearModel):
         alike = self.blades._replace(name=name, levels=tuple(sorted(levels)))
         finer = at_travel(ask, travels[coarse], alike, loads=loads, warmth=warmth, hold=hold)
         return (finer, ends[1]) if coarse == 0 else (ends[0], finer)
-
-    def _sag_of_drive(self, ask: Ask, loads: Loads, warmth: float) -> float:
-        """Return how far loads move the free drive of the joint [m or rad]."""
-        at = partial(at_travel, ask, None, self.blades, warmth=warmth, hold=hold_of(ask.scene))
-        under, free = (at(loads=each) for each in (loads, ()))
-        own = driven_coordinate(under.layout)
-        return float((under.coordinates - free.coordinates).ravel()[own])
 
     def _loaded_ends(self, ask: Ask) -> Iterator[tuple[SpaceEquilibrium, ...]]:
         """Yield the joint at the ends of its stroke, its loads acting in one sense or another.

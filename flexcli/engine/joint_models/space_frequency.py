@@ -56,7 +56,9 @@ def locked_frequency(
     known, inside = blades.errors(state), 2.0 * pi * heavy / own_blade_frequency(weighed)
     if state.coarser is None or known is None or inside > INNER:
         return found, None
-    of_heat = abs((_lowest(cold, masses, share) / found) ** 2 - 1.0)
+    of_heat = 0.0
+    if cold is not state:
+        of_heat = abs((_lowest(cold, masses, share) / found) ** 2 - 1.0)
     off = abs(_lowest(state.coarser, masses, share) / found - 1.0)
     off += known.support * (1.0 + of_heat)
     of_blades = max(1.0 - (heavy / bare) ** 2, 0.0)

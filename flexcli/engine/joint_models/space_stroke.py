@@ -2,13 +2,14 @@
 
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from typing import NamedTuple, TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.joint_models.holds import FREE
+from flexcli.engine.joint_models.holds import FREE, hold_of
 from flexcli.engine.joint_models.space_errors import StrokeErrors, beam_errors, strain_error
 from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along
@@ -35,6 +36,7 @@ __all__ = [
     "driven_coordinate",
     "forget",
     "held_motion",
+    "sag_of_drive",
     "support_at_stroke",
     "warm_ratio",
     "warm_support_ratio",
@@ -101,14 +103,14 @@ def at_travel(
         When the path to it ends before.
 
     """
-    heat = ask.scene.temperature if warmth else None
-    joint = joint_of(ask, warm=heat is not None)
+    warmth = 0.0 if ask.scene.temperature is None else warmth
+    joint = joint_of(ask, warm=warmth != 0.0)
     blades = BEAMS if blades is None else blades
     known = _KNOWN.setdefault(joint, {})
     own = ask.near is not None, start is not None, hold.turn
     key = blades.name, travel, loads, warmth, *own
     if key not in known:
-        layout = joint.layout if heat is None or warmth == 1.0 else joint.layout.grown(warmth)
+        layout = joint.layout.grown(warmth) if warmth else joint.layout
         frames = drive_frame(layout.drive)
         motion = held_motion(ask, layout, travel, hold)
         if ask.near is None:
@@ -132,7 +134,7 @@ def at_travel(
     found = known[key]
     if isinstance(found, SolveError):
         raise found
-    at_rest = travel == 0.0 and not loads and heat is None
+    at_rest = travel == 0.0 and not loads and not warmth
     if ask.near is None and not at_rest and found.unstable:
         raise NotAvailable(f"buckles {_under(travel, loads)}")
     return found
@@ -155,6 +157,16 @@ def _on_the_way(
     with suppress(NotAvailable, SolveError):
         return at_travel(ask, near, blades, warmth=warmth, hold=hold)
     return None
+
+
+def sag_of_drive(
+    ask: Ask, loads: Loads, blades: Blades | None = None, *, warmth: float = 1.0
+) -> float:
+    """Return how far loads move the free drive of the joint [m or rad], see :func:`at_travel`."""
+    at = partial(at_travel, ask, None, blades, warmth=warmth, hold=hold_of(ask.scene))
+    under, free = (at(loads=each) for each in (loads, ()))
+    own = driven_coordinate(under.layout)
+    return float((under.coordinates - free.coordinates).ravel()[own])
 
 
 def _under(travel: float | None, loads: Loads) -> str:
@@ -215,9 +227,9 @@ def support_at_stroke(
         known, error = blades.errors(state), None
         if state.coarser is not None and known is not None:
             before = _stiffness(ask, state.coarser, index, point, locked=locked)
-            cold = at_travel(ask, travel, blades, warmth=0.0)
-            # what heat takes away of it, it does as surely where it is off
-            of_heat = abs(_stiffness(ask, cold, index, point, locked=locked) / value - 1.0)
+            cold, of_heat = at_travel(ask, travel, blades, warmth=0.0), 0.0
+            if cold is not state:  # what heat takes away of it, it does as surely where it is off
+                of_heat = abs(_stiffness(ask, cold, index, point, locked=locked) / value - 1.0)
             change = abs(before / value - 1.0) + known.support * (1.0 + of_heat)
             error = ErrorRange(-change, change)
         found.append((value, error))
