@@ -118,6 +118,27 @@ def test_thin_blades_of_a_three_blade_pivot_are_strings_far_out():
     assert row.demand == pytest.approx(string, rel=0.05)
 
 
+@pytest.mark.parametrize("times", [3.0, 1e3, 1e5])
+def test_of_two_senses_the_one_that_pushes_is_seen_to_buckle_however_far_beyond(times):
+    # pulled as far, the blades have no equilibrium that can be found, and buckle at none
+    h, l, b, angle = 7.4e-6, 7e-3, 5.2e-6, 51.0
+    euler = 4.0 * pi**2 * 210e9 * b * h**3 / 12.0 / l**2
+    level = times * 2.0 * cos(angle * pi / 180.0) * euler / 0.3
+    spec = design(
+        {"kind": "rcc", "h": f"{h} m", "l": f"{l} m", "b": f"{b} m", "p": "12.5 mm",
+         "half_angle": f"{angle} deg"},
+        {"yield": 1.5, "fatigue": {"factor": 1.5, "mean_stress": "none"}},
+        {"work": {"stroke": {"rotation": "4e-5 rad", "cycles": "1e6"},
+                  "acceleration": {"level": f"{level} m/s^2", "axis": "x"}}},
+        material={**STEEL, "density": "8000 kg/m^3", "tensile_strength": "2200 MPa",
+                  "fatigue_amplitude": {"value": "500 MPa", "cycles": 1e6, "stress_ratio": -1}},
+        mechanism={"kind": "payload", "mass": "0.3 kg", "inertia": "1.4e-5 kg*m^2"},
+    )  # fmt: skip
+    for row in check(spec, spec.fixed_sizes(), "test").checks:
+        assert row.verdict is Verdict.FAIL
+        assert row.factor_range == pytest.approx((1.0 / times, 1.0 / times), rel=5e-3)
+
+
 STRIP = {"name": "without Poisson's ratio", "youngs_modulus": "200 GPa", "poisson_ratio": 0.0,
          "yield_strength": "2000 MPa"}  # fmt: skip
 PRANDTL = 4.013 * sqrt(200e9 * 100e9 * (1.0 - 0.63 * 0.05) * 2e-3**2 * 0.1e-3**6 / 36.0) / 0.1**2

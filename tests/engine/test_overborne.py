@@ -22,7 +22,9 @@ def said(kind, factor):
     spec = {
         "flexure": 1, "title": "overborne", "material": material,
         "geometry": {"kind": kind, **JOINTS[kind][0]},
-        "cases": {"work": {"wrench": {"x": f"{FORCE} N"}, "ends": "clamped-guided"}},
+        # pulled, for pushed it is seen to buckle
+        "cases": {"work": {"load": {"force": f"{FORCE} N", "direction": "0 deg"},
+                           "ends": "clamped-guided"}},
         "requirements": {"yield": factor},
     }  # fmt: skip
     return checked(spec, "yield")

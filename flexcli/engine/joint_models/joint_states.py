@@ -1,9 +1,10 @@
 """The joint of a case in equilibrium: at the ends of its stroke, under its loads, as it is held."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
-from math import atan2, cos, inf, sin
+from math import atan2, cos, inf, isinf, sin
+from operator import itemgetter
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -373,7 +374,7 @@ def solved(layout: Layout, held: Held, *, loads: Sequence[Load] = (), **how: Any
                 state = solve(layout, held, loads=loads, start=moved, **how)
         stands = state.converged & (state.unstable == 0)
         if not all_of_each(stands) and loads:
-            _prove_buckled(layout, held, loads, int(np.argmin(stands)), how.get("effects"))
+            _prove_buckled(layout, held, loads, np.flatnonzero(~stands), how.get("effects"))
         if not all_of_each(stands) and Outcome.SINGULAR not in state.outcome:
             state = _by_small_steps(layout, held, loads, state.designs, how) or state
         state = state.checked()
@@ -416,15 +417,42 @@ def _by_small_steps(
 
 
 def _prove_buckled(
-    layout: Layout, held: Held, loads: Sequence[Load], which: int, effects: Effects | None
+    layout: Layout,
+    held: Held,
+    loads: Sequence[Load],
+    which: Iterable[int],
+    effects: Effects | None,
 ) -> None:
-    """Raise :class:`Buckled` where one of several states loses its stability as its loads grow.
+    """Raise :class:`Buckled` where any of several states loses its stability as its loads grow.
 
-    What is held stands still where it is meanwhile. A path that is lost proves nothing.
+    Where none of straight blades that buckle does, those that straight blades bear are tried.
     """
     one_alone()
-    there, pattern = state_of(held, loads, which)
-    bears = _borne_straight(layout, there, pattern, effects)
+    states = list[tuple[Held, list[Load]]]()
+    for each in which:
+        state = state_of(held, loads, each)
+        if state not in states:
+            states.append(state)
+    borne = [_borne_straight(layout, *state, effects) for state in states]
+    found = list[float]()
+    for bears, state in sorted(zip(borne, states, strict=True), key=itemgetter(0)):
+        if found and isinf(bears):
+            break
+        share = _buckled_at(layout, *state, bears, effects)
+        if share is not None:
+            found.append(share)
+    if found:
+        raise Buckled(min(found))
+
+
+def _buckled_at(
+    layout: Layout, there: Held, pattern: Sequence[Load], bears: float, effects: Effects | None
+) -> float | None:
+    """Return the share of a state's loads at which it is seen to lose its stability.
+
+    What is held stands still where it is meanwhile. A path that is lost proves nothing. ``bears``
+    is the share that buckles straight blades.
+    """
     reaches = [reach * bears for reach in (NEAR, FAR) if reach * bears < 1.0]
     # loads a thousand times as large would be walked in strides in which the path is lost
     for most in reaches if FAR * bears < 1.0 else (*reaches, 1.0):
@@ -434,7 +462,8 @@ def _prove_buckled(
             )
         except SolveError:
             continue
-        raise Buckled(found.factor)
+        return float(found.factor)
+    return None
 
 
 def states_of(held: Held, loads: Sequence[Load]) -> list[tuple[Held, list[Load]]]:
