@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
+from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.second_order import SecondOrder, stiffened_by_loads
 from flexcli.mechanics.space.states import (
     Acting,
@@ -55,6 +56,7 @@ __all__ = [
     "linear_error",
     "motions",
     "moved_by_lengths",
+    "moved_by_moduli",
     "senses",
     "spring_change",
     "spring_error",
@@ -159,7 +161,9 @@ def senses(scene: Scene, groups: int) -> Iterator[tuple[float, ...]]:
     return product(*(stated if k == 0 else (1.0, -1.0) for k in range(groups)))
 
 
-def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[StrokeEnd, ...]:
+def motions(
+    joint: SpaceJoint, scene: Scene, material: Material, turn: float
+) -> tuple[StrokeEnd, ...]:
     """Return the motion at both ends of a stroke, the drive locked there, without loads.
 
     With a temperature the joint has grown besides; without a stroke its drive is then free.
@@ -168,7 +172,8 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[StrokeEnd, ..
     axes = motion_along(axes_about_z(turn))
     body = joint.layout.body(joint.layout.drive.body)
     to_point = axes @ joint.assembly.motion(body.name, body.point)
-    bent, found = bent_by_gradient(joint, scene)[1], []
+    found = []
+    bent = bent_by_gradient(joint, scene)[1] + moved_by_moduli(joint, scene, material, turn)
     for travel in scene.stroke_ends:
         state = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
         if joint.layout.grows:
@@ -234,6 +239,37 @@ def moved_by_lengths(joint: SpaceJoint, scene: Scene, material: Material) -> tup
         stress += max(map(largest_stress, of_blades))
         motion += np.abs(at @ moved.coordinates[:, 0])
     return stress, motion
+
+
+def moved_by_moduli(joint: SpaceJoint, scene: Scene, material: Material, turn: float) -> Floats:
+    """Return the most that moduli of blades add which differ by their temperatures (6,) [m, rad].
+
+    It is the motion of the driven point at either end of a stroke, of small motion; states give all
+    blades one modulus. Blades that share a force alike leave a body where it is, and tip it or move
+    it aside in the first order where they do not. What nobody gave over temperature counts for each
+    blade by itself; beside a stroke, at which other motions are softer than at rest, all counts
+    twofold. ``turn`` is the angle from the layout's x to that of cases [rad].
+    """
+    assembly, drive, temperature = joint.assembly, joint.layout.drive, scene.temperature
+    if temperature is None:
+        return np.zeros(6)
+    of = joint.layout, material, turn
+    known, unsure = (list(d.values()) for d in (temperature.stiffer(*of), temperature.unlike(*of)))
+    changes = [np.array(known) - 1.0, *np.diag(unsure)]
+    travels = np.array(scene.stroke_ends) if scene.moves else None
+    misfits = assembly.growth()[:, None] * np.ones(1 if travels is None else len(travels))
+
+    def moved(springs: SpaceAssembly) -> Floats:
+        to_point = springs.motion(drive.body, drive.point)
+        return np.asarray(to_point @ springs.moved(misfits=misfits, travel=travels).coordinates)
+
+    found = np.zeros((6, misfits.shape[1]))
+    for change in changes:
+        if change.any():
+            factors = np.ones(len(assembly.rows))
+            factors[: 6 * len(change)] += np.repeat(change, 6)
+            found += np.abs(moved(assembly.scaled(factors)) - moved(assembly))
+    return np.asarray((TWOFOLD if scene.moves else 1.0) * found.max(axis=1))
 
 
 def left_by_temperature(ask: Ask) -> tuple[float, ...]:

@@ -152,3 +152,31 @@ def test_a_poissons_ratio_that_is_not_given_leaves_open_what_any_makes():
     low, high = sizes(unknown, "exact")
     for nu in (0.0, 0.25, 0.45):
         assert low < only(spec(STAGE, HOT, material={"poisson_ratio": nu}), "exact").demand < high
+
+
+def drawn(geometry, temperature, stroke, material):
+    """Return a stage drawn in space, what moves along y asked besides."""
+    own = spec(geometry, temperature, stroke, material)
+    twin = in_space(own, flexcli.load(yaml.safe_dump(own)))
+    asked = [{"direction": "y", "max": "1 mm"}]
+    return own, twin, {**twin, "requirements": {"parasitic_motion": asked}}
+
+
+@pytest.mark.parametrize("table", [SOFTENS, None])
+@pytest.mark.parametrize(
+    ("grown", "stroke"),
+    [
+        ({"gradient": {"x": "2000 K/m"}, "expansion": {"moving": "3e-6 1/K"}}, None),
+        ({"gradient": {"x": "2000 K/m"}}, {"translation": ["0 um", "0.2 um"]}),
+        ({"gradient": {"x": "-2000 K/m"}}, {"translation": ["0.2 um", "0.2 um"]}),
+    ],
+)
+def test_blades_whose_moduli_differ_by_temperature_move_a_body_aside_in_space_too(
+    table, grown, stroke
+):
+    """In the first order: the plane's blades have their own moduli, those in space one."""
+    one, twin, along = drawn({**STAGE, "spacing": "25 mm"}, grown, stroke, table)
+    shift, (least, most) = only(one, "exact").demand, sizes(twin, "exact")
+    assert least <= shift <= most
+    checks = flexcli.verdicts(yaml.safe_dump(along)).checks
+    assert max(check.demand for check in checks) >= shift

@@ -32,6 +32,7 @@ from flexcli.parts.space_misfits import misfit_stresses
 from flexcli.parts.space_states import motions, stress_places
 from flexcli.parts.strained_compliance import sag
 from flexcli.parts.stress_across import across_stress
+from flexcli.spec.load import load_shipped
 
 FLAT = Elastic(114e9, 0.0)
 SCENE = Scene(
@@ -119,7 +120,8 @@ def test_the_error_of_a_motion_holds_against_the_exact_model_of_the_plane(kind):
     for share in (0.1, 0.4):
         travel = share * JOINTS[kind]
         there = SpaceJoint(from_plane(layout, "moving", turns=turns))
-        for motion, end in zip(motions(there, moved(travel), 0.0), (travel, -travel), strict=True):
+        both = motions(there, moved(travel), load_shipped("material", "ti-6al-4v"), 0.0)
+        for motion, end in zip(both, (travel, -travel), strict=True):
             state = solve(layout, {"moving": (None, None, end) if turns else (None, end, None)})
             exact = state.motions[0, layout.index("moving"), :2]
             value, off = motion.at((0.0, 0.0, 0.0), rows)

@@ -34,3 +34,10 @@ def test_a_cross_spring_that_turns_far_tilts_by_more_than_small_motion_tells():
     assert found is not None
     assert found.compared == 3
     assert not found.apart
+
+
+def test_a_stage_whose_blades_have_moduli_of_their_own_by_temperature_is_itself_in_space():
+    found = apart(9310293, JOINTS)
+    assert found is not None
+    assert found.compared == 8
+    assert not found.apart

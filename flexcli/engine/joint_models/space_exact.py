@@ -59,6 +59,7 @@ from flexcli.parts.space_states import (
     acting_groups,
     bent_by_gradient,
     moved_by_lengths,
+    moved_by_moduli,
 )
 from flexcli.parts.strained_compliance import sag
 from flexcli.parts.worst_places import worst_places
@@ -364,6 +365,7 @@ class SpaceExactModel(SpaceLinearModel):
         rest = float(np.linalg.norm(bent_by_gradient(joint, ask.scene)[1][:3]))
         if ask.scene.temperature is not None:
             lengths = moved_by_lengths(joint, ask.scene, ask.material)[1]
+            lengths = lengths + moved_by_moduli(joint, ask.scene, ask.material, ask.geometry.axes)
             bent = self._bent_of_shift(ask)
             if not isfinite(bent):
                 return None

@@ -187,7 +187,7 @@ def _shift(ask: Ask) -> Told:
         e = np.asarray(drive.direction)
         rows = np.linalg.qr(np.column_stack([e, rows[:, :3].T]))[0].T[1:] @ np.eye(3, 6)
     most, doubt = 0.0, 0.0
-    for motion in motions(joint, ask.scene, ask.geometry.axes):
+    for motion in motions(joint, ask.scene, ask.material, ask.geometry.axes):
         moved, off = motion.at((float(point[0]), float(point[1]), float(point[2])), rows)
         most = max(most, float(np.linalg.norm(moved)))
         doubt = max(doubt, float(np.linalg.norm(off)))

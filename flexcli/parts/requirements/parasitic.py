@@ -54,7 +54,7 @@ class ParasiticMotion(MotionBound):
         when = "at the end of the stroke" if ask.scene.moves else "by the temperature"
         held = "drive locked" if ask.scene.moves else "drive free"
         row = np.eye(6)[[DIRECTIONS.index(self.direction)]]
-        for motion in motions(joint, ask.scene, ask.geometry.axes):
+        for motion in motions(joint, ask.scene, ask.material, ask.geometry.axes):
             (moved,), (off,) = motion.at(self.point, row)
             for sign in (1.0, -1.0):
                 # its error is a length or an angle of its own, however little it moves
