@@ -17,7 +17,7 @@ from flexcli.numerics.rows import one_alone
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import ANY, Buckled, NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
-from flexcli.parts.requirements import Ask, Limit, Requirement, RequirementError
+from flexcli.parts.requirements import Ask, CriticalShare, Limit, Requirement, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import (
@@ -64,6 +64,8 @@ WOULD_LOOK = {
 OUT_OF_PLANE = frozenset({LoadKind.WRENCH, LoadKind.ACCELERATION, LoadKind.TEMPERATURE})
 """Loads that only a model of the whole joint looks at, where they act out of its plane."""
 
+PUSHING = frozenset({LoadKind.LOAD, LoadKind.WRENCH, LoadKind.ACCELERATION})
+"""Loads that may buckle a narrow joint out of its plane."""
 
 FAR = 1.5
 """Factors over the required one beyond which a sizing asks no finer model."""
@@ -296,13 +298,43 @@ class _Series:
         self.models = models
         self.near = near
         self.seconds: dict[str, float] = {}
+        self._shares: dict[str, CriticalShare | None] = {}
 
     def climbed(self, requirement: Requirement, scene: Scene) -> tuple[Check, ...]:
         """Return the checks of a requirement in a case, by the cheapest that decides them all."""
-        by_formula = self._by_formula(requirement, scene)
-        if by_formula and all(map(_is_decided, by_formula)):
-            return by_formula
-        return tuple(self.by_models(requirement, scene, _is_decided))
+        found = self._by_formula(requirement, scene)
+        if not found or not all(map(_is_decided, found)):
+            found = tuple(self.by_models(requirement, scene, _is_decided))
+        kinds = {check.kind for check in found}
+        if QuantityKind.BUCKLING in kinds:
+            return found
+        asks = requirement.looks_at(scene) & PUSHING or QuantityKind.STRESS in kinds
+        return self._in_its_plane(found, scene) if asks else found
+
+    def _in_its_plane(self, checks: tuple[Check, ...], scene: Scene) -> tuple[Check, ...]:
+        """Return checks under loads: none passes where these may buckle the joint out of it."""
+        exact = next((model for model in self.models if model.name == "exact"), None)
+        failed = all(check.verdict is Verdict.FAIL for check in checks)
+        mechanism = self.design.mechanism
+        loaded = scene.is_loaded and (mechanism is None or mechanism.joints == 1)
+        if exact is None or failed or not loaded or scene.in_space:
+            return checks
+        from flexcli.engine.narrow_blades import may_leave_plane
+
+        ask = self.design.ask(scene, self.sizes, exact.joint_model)
+        if not may_leave_plane(ask):
+            return checks
+        one_alone()
+        from flexcli.engine.joint_models.out_of_plane_buckling import out_of_plane_share
+
+        started = perf_counter()
+        if scene.case not in self._shares:
+            self._shares[scene.case] = out_of_plane_share(ask)
+        share, took = self._shares[scene.case], perf_counter() - started
+        self.seconds[exact.name] = self.seconds.get(exact.name, 0.0) + took
+        if share is None:
+            return checks
+        return tuple(_leaves_plane(check, share, exact.name) for check in checks)
 
     def _by_formula(self, requirement: Requirement, scene: Scene) -> tuple[Check, ...]:
         """Return the checks by the requirement's own formula, where no model is insisted on."""
@@ -513,6 +545,18 @@ def _buckles(check: Check, buckled: Buckled) -> Check:
         demand=1.0, capacity=share, unit="", factor=share, factor_range=buckled.between,
         verdict=Verdict.FAIL, source="loss of stability on the path of the loads",
     )  # fmt: skip
+
+
+def _leaves_plane(check: Check, share: CriticalShare, model: str) -> Check:
+    """Return a check under loads that buckle the joint in space at a share of them, or may."""
+    less, more = (1.0, inf) if share.error is None else (-share.error.low, share.error.high)
+    buckled = Buckled(share.share, less, more)
+    surely = buckled.between[1] < 1.0
+    verdict = Verdict.FAIL if surely else Verdict.UNDECIDED
+    if check.verdict is Verdict.FAIL or (check.verdict is Verdict.UNDECIDED and not surely):
+        return check
+    quantity = "share of the loads of the case that buckles the joint in space"
+    return _buckles(check, buckled)._replace(quantity=quantity, verdict=verdict, model=model)
 
 
 def _together(requirement: Requirement, checks: Sequence[Check]) -> Iterator[Check]:
