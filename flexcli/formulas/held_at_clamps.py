@@ -99,9 +99,9 @@ def held_face(*, poisson_ratio: ArrayLike) -> HeldFace:
     Notes
     -----
     A strip in plane stress in mid-width of the clamp, where the thickness is free, as it is from
-    some h off it on: within 0.002 for b ≤ l/2. Wider ones bear less along; towards the sides shear
-    adds, so that von Mises' stress beside any along is no more than of 1.2 times both up to
-    b/40 from them (b/l 0.1 to 5, ν ≤ 0.45).
+    some h off it on: within 0.002 for b ≤ l/2 and ν ≤ 0.45. Wider ones bear less along. Towards the
+    sides shear adds: von Mises' stress beside bending that is the larger is that of 1.2 times both
+    at most, but for b/40 or h/2 in their corners (solids, b/l 0.05 to 4).
 
     Examples
     --------

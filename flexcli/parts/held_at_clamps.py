@@ -20,7 +20,11 @@ from flexcli.parts.temperature import DIRECTED_ERROR, Temperature, usual_nu
 __all__ = ["HeldAtClamps", "held_at_clamps"]
 
 TOWARDS_SIDES = 0.2
-"""Share by which what a clamp holds at the faces is larger towards the sides, see ``held_face``."""
+"""Share by which what a clamp holds at the faces is larger towards the sides, see ``held_face``.
+
+With it and ``HELD_EDGES`` all of a blade but its edges at the clamp had at most 0.96 of
+``HeldAtClamps.most``: sixteen of CalculiX's solids, bent to an S by 0 to 8 times what is held, b/h
+1 to 60, b/l 0.05 to 4, ν 0 to 0.48."""
 
 
 class HeldAtClamps(NamedTuple):
