@@ -15,7 +15,7 @@ from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
-from flexcli.parts.temperature import DIRECTED_ERROR, Temperature, usual_nu
+from flexcli.parts.temperature import Temperature, usual_nu
 
 __all__ = ["HeldAtClamps", "held_at_clamps"]
 
@@ -30,15 +30,15 @@ With it and ``HELD_EDGES`` all of a blade but its edges at the clamp had at most
 class HeldAtClamps(NamedTuple):
     """What clamps hold of the growth of blades: E times the largest difference of strains [Pa].
 
-    It acts with Poisson's ratio ``nu``, or any of ``nus``. ``unsure`` is the error of the moduli
-    that a directed material has there, and ``is_sure`` whether its clamps are known to hold so much
-    at least: they are said to be rigid, and the blades of one thickness.
+    It acts with Poisson's ratio ``nu``, or any of ``nus``. ``stiffer`` is Young's modulus in the
+    stiffest direction over that along blades, and ``is_sure`` whether its clamps are known to hold
+    so much at least: they are said to be rigid, the blades are of one thickness and not directed.
     """
 
     size: float
     nu: float
     nus: tuple[float, ...]
-    unsure: float
+    stiffer: float
     is_sure: bool
 
     @property
@@ -59,13 +59,13 @@ class HeldAtClamps(NamedTuple):
 
         Between the middle and the faces up to half of the bending counts.
         """
-        wide = 1.0 + TOWARDS_SIDES + self.unsure
+        amid, at_face = (self.stiffer * (1.0 + more) for more in (HELD_EDGES, TOWARDS_SIDES))
         return max(
             each
             for nu in self.nus
             for each in (
-                self._middle(nu) * (1.0 + HELD_EDGES + self.unsure) + (along + axial) / 2.0,
-                self._face(nu, along, wide),
+                self._middle(nu) * amid + (along + axial) / 2.0,
+                self._face(nu, along, at_face),
             )
         )
 
@@ -105,11 +105,13 @@ def held_at_clamps(
         held = temperature.held_across(layout, material, geometry.axes, geometry.body_materials)
     except NotAvailable:  # a temperature beyond the points of a material is refused by the case
         return None
+    # across its blades a directed material has a Poisson's ratio of its own
+    any_nu = elastic._replace(nu=None) if material.is_directed else elastic
     return HeldAtClamps(
         elastic.E * held,
         usual_nu(elastic),
-        tuple(each.most_nu for each in elastic.likely),
-        DIRECTED_ERROR if material.is_directed else 0.0,
+        tuple(each.most_nu for each in any_nu.likely),
+        material.stiffest / elastic.E,
         geometry.says_rigid and not material.is_directed and _are_even(layout),
     )
 
