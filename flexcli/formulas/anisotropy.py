@@ -122,10 +122,11 @@ def stiffest(C: ArrayLike) -> float:
     Nye (1957), Physical Properties of Crystals, chapter 8.
 
     """
+    S = np.linalg.inv(np.asarray(C, dtype=np.float64))
     polar, around = np.meshgrid(*2 * (np.radians(np.arange(91.0)),))
     x, y, z = np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.cos(polar)
     m = np.stack([x**2, y**2, z**2, y * z, x * z, x * y])
-    return float(1.0 / np.einsum("iab,ij,jab->ab", m, np.linalg.inv(C), m).min())
+    return float(1.0 / np.einsum("iab,ij,jab->ab", m, S, m).min())
 
 
 def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
