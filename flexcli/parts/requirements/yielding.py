@@ -1,6 +1,7 @@
 """Yield: the largest stress of a case against an allowable of the material."""
 
 from collections.abc import Iterator, Sequence
+from math import isnan
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import field_validator
@@ -100,11 +101,10 @@ class Yield(FactorRequirement):
         error = ask.joint_model.error(ask, QuantityKind.STRESS)
         if error is not None:
             more, less = 1.0 + error.high, 1.0 + error.low
-            most, least = (
-                held.most(along * more, axial * more),
-                held.least(along * less, axial * more),
-            )
-            error = ErrorRange(least / both - 1.0, most / both - 1.0)
+            most = held.most(along * more, axial * more)
+            least = held.least(along * less, axial * more)
+            # no stress along has no share that it may be off by
+            error = None if isnan(most) else ErrorRange(least / both - 1.0, most / both - 1.0)
         yield Limit(
             self.label,
             ask.scene.case,
