@@ -185,12 +185,13 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
 
 def _held_across(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[Note]:
     """Yield how far clamps stress blades that they keep from growing across, where nobody asks."""
-    from flexcli.parts.temperature import held_stress
+    from flexcli.parts.held_at_clamps import held_at_clamps
 
     material, temperature = design.material, scene.temperature
     if temperature is None or design.requirements.yielding:
         return
-    stress = held_stress(temperature, design.geometry, material, sizes)
+    held = held_at_clamps(temperature, design.geometry, material, sizes)
+    stress = 0.0 if held is None else held.middle
     strengths = [
         given.value for given in (material.yield_strength, material.tensile_strength) if given
     ]

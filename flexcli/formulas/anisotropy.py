@@ -11,6 +11,7 @@ __all__ = [
     "orthotropic_stiffness",
     "plate_anisotropy",
     "sheared_in_plane",
+    "stiffest",
     "strip_constants",
     "turned_stiffness",
 ]
@@ -95,6 +96,37 @@ def orthotropic_stiffness(*, E_1: float, E_2: float, G_12: float, nu_12: float) 
     if float(np.linalg.eigvalsh(S)[0]) <= 0.0:
         raise ValueError("no solid has these constants: |ν_12| is below √(E_1/E_2)")
     return np.asarray(np.linalg.inv(S))
+
+
+def stiffest(C: ArrayLike) -> float:
+    """Return Young's modulus in the direction in which it is the largest [Pa].
+
+    ``1/(S_ij m_i m_j)``, ``m = (n_1², n_2², n_3², n_2 n_3, n_1 n_3, n_1 n_2)``, over directions n.
+
+    Parameters
+    ----------
+    C : array_like, shape (6, 6)
+        Stiffness along axes of which each pair spans a plane of symmetry, in Voigt's order [Pa].
+
+    Notes
+    -----
+    Directions are a degree apart, and so along edges and diagonals of a cube to a thousandth.
+
+    Examples
+    --------
+    >>> round(stiffest(cubic_stiffness(165.7e9, 63.9e9, 79.6e9)) / 1e9)
+    188
+
+    References
+    ----------
+    Nye (1957), Physical Properties of Crystals, chapter 8.
+
+    """
+    S = np.linalg.inv(np.asarray(C, dtype=np.float64))
+    polar, around = np.meshgrid(*2 * (np.radians(np.arange(91.0)),))
+    x, y, z = np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.cos(polar)
+    m = np.stack([x**2, y**2, z**2, y * z, x * z, x * y])
+    return float(1.0 / np.einsum("iab,ij,jab->ab", m, S, m).min())
 
 
 def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:

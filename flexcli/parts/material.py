@@ -375,6 +375,15 @@ class Material(Part):
         return self.sheet is not None
 
     @property
+    def stiffest(self) -> float:
+        """Return Young's modulus in the direction in which it is the largest [Pa]."""
+        if self.sheet is None:
+            return self.E
+        from flexcli.formulas.anisotropy import stiffest
+
+        return self._stiffer * stiffest(self.sheet.stiffness())
+
+    @property
     def is_uneven(self) -> bool:
         """Return whether blades differ in stiffness from each other, by what ``spread`` says."""
         return self._is_uneven

@@ -15,19 +15,17 @@ from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.mesh import column, single
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, SpaceRod, SpaceStar
 from flexcli.parts.base import Part, QuantityOf, spec_error
-from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.geometries.base import GROUND
 from flexcli.parts.material import Material
 from flexcli.parts.over_temperature import Kelvin
 
 __all__ = [
     "Temperature",
     "alike",
-    "held_across",
     "held_bending",
     "held_lengths",
     "held_share",
-    "held_stress",
     "sheared_across",
 ]
 
@@ -85,6 +83,13 @@ class Changes(NamedTuple):
     bodies: dict[str, float]
 
 
+class Growths(NamedTuple):
+    """Strain by which each blade and each body would grow by itself, the ground among them [-]."""
+
+    blades: dict[str, float]
+    bodies: dict[str, float]
+
+
 def held_share(blade: Blade | SpaceBlade | SpaceRod, nu: float) -> float:
     """Return the relative lengthening of a blade per strain across it that its clamps hold [-].
 
@@ -128,38 +133,6 @@ def _of_notch(blade: Blade | SpaceBlade, nu: float) -> tuple[float, float] | Non
 def _has_one_height(blade: Blade | SpaceBlade) -> bool:
     """Return whether a blade is as thick all along, or but for fillets at its roots."""
     return isinstance(blade.profile, Constant | Filleted)
-
-
-def held_across(layout: Layout | SpaceLayout) -> float:
-    """Return the largest strain by which a clamp of a warmed layout keeps a blade from growing.
-
-    It is across the blade; the resulting lengthening is in its growth, and negligible here.
-    """
-    return max(
-        abs(float(column(layout.blade_growth[blade.name])[0] - column(layout.body_growth[body])[0]))
-        for blade in layout.blades
-        for body in (blade.first, blade.second)
-    )
-
-
-def held_stress(
-    temperature: "Temperature", geometry: Geometry, material: Material, sizes: Sizes
-) -> float:
-    """Return the stress across blades where their clamps keep them from growing [Pa].
-
-    ``E`` times the difference of strains, at its largest; zero where the material does not state
-    its expansion, or the joint has no blades.
-    """
-    if not all(each.expands for each in (material, *geometry.body_materials.values())):
-        return 0.0
-    own, at = geometry.drawn(sizes)
-    layout: Layout | SpaceLayout
-    try:
-        layout = (own.space_layout if own.in_space else own.layout)(material.elastic, at)
-        warm = temperature.warmed(layout, material, geometry.axes, geometry.body_materials)
-    except NotAvailable:  # a temperature beyond the points of a material is refused by the case
-        return 0.0
-    return material.elastic.E * held_across(warm)
 
 
 def alike(blades: Iterable[Blade | SpaceBlade | SpaceRod]) -> list[list[str]]:
@@ -354,6 +327,43 @@ class Temperature(Part):
             {name: at(point) + self.bodies.get(name, 0.0) for name, point in points.items()},
         )
 
+    def growths(
+        self,
+        layout: Layout | SpaceLayout,
+        material: Material,
+        axes: float,
+        of_bodies: Mapping[str, Material] | None = None,
+    ) -> Growths:
+        """Return by what strain each blade and body would grow by itself."""
+        changes, others = self.changes(layout, axes), of_bodies or {}
+        return Growths(
+            {name: material.growth(T, self.assembly) for name, T in changes.blades.items()},
+            {
+                name: self.expansion[name] * change
+                if name in self.expansion
+                else others.get(name, material).growth(change, self.assembly)
+                for name, change in changes.bodies.items()
+            },
+        )
+
+    def held_across(
+        self,
+        layout: Layout | SpaceLayout,
+        material: Material,
+        axes: float,
+        of_bodies: Mapping[str, Material] | None = None,
+    ) -> float:
+        """Return the largest strain by which a clamp keeps a blade from growing [-].
+
+        What that makes the blade longer is no strain that its clamp holds.
+        """
+        free = self.growths(layout, material, axes, of_bodies)
+        return max(
+            abs(free.blades[blade.name] - free.bodies[body])
+            for blade in layout.blades
+            for body in (blade.first, blade.second)
+        )
+
     def warmed(
         self,
         layout: AnyLayout,
@@ -367,16 +377,10 @@ class Temperature(Part):
         that keep a blade from growing across make it longer. ``of_bodies`` are the materials of
         bodies other than that of the blades.
         """
-        changes, others = self.changes(layout, axes), of_bodies or {}
-        bodies = {
-            name: self.expansion[name] * change
-            if name in self.expansion
-            else others.get(name, material).growth(change, self.assembly)
-            for name, change in changes.bodies.items()
-        }
-        blades = {}
+        changes, free = self.changes(layout, axes), self.growths(layout, material, axes, of_bodies)
+        bodies, blades = free.bodies, {}
         for blade in layout.blades:
-            own = material.growth(changes.blades[blade.name], self.assembly)
+            own = free.blades[blade.name]
             held = own - (bodies[blade.first] + bodies[blade.second]) / 2.0
             blades[blade.name] = own + held * held_share(blade, usual_nu(material.elastic))
         if not isinstance(layout, SpaceLayout):

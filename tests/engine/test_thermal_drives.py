@@ -350,6 +350,120 @@ def test_solids_bend_and_move_as_the_temperature_is_told_to(uniform, slope, stag
     assert low - left_over < worst < high + left_over
 
 
+HELD = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: {nu}, thermal_expansion: 9e-6 1/K,
+           yield_strength: 800 MPa, over_temperature: {{
+             youngs_modulus: {{points: [[100 K, 114 GPa], [500 K, 114 GPa]]}},
+             yield_strength: {{points: [[100 K, 800 MPa], [500 K, 800 MPa]]}}}}}}
+geometry: {{kind: leaf-spring-stage, h: 1 mm, l: {l} mm, b: {b} mm, spacing: 40 mm, blades: 2,
+           clamps: rigid}}
+cases: {{hot: {{{stroke}temperature: {{uniform: 100 K,
+        expansion: {{moving: 0 1/K, ground: 0 1/K}}}}}}}}
+requirements: {{yield: 1}}
+"""
+"""A stage whose bodies do not grow, so that clamps hold its blades alone."""
+
+HELD_DECK = """*NODE, NSET=ALL
+{nodes}
+*ELEMENT, TYPE=C3D20R, ELSET=BLADE
+{elements}
+*MATERIAL, NAME=M
+*ELASTIC
+114e9, {nu}
+*SOLID SECTION, ELSET=BLADE, MATERIAL=M
+"""
+
+HELD_STEP = """*STEP
+*STATIC
+*BOUNDARY, OP=NEW
+{fixed}
+*NODE FILE
+RF
+*EL FILE
+S
+*END STEP
+"""
+
+
+def towards(end, first, cells):
+    """Return planes from 0 to an end, of cells that grow evenly from the first one there on."""
+    growth = np.linspace(0.0, 1.0, cells + 1)
+    power = np.log(first / end) / np.log(1.0 - growth[-2])
+    return end * (1.0 - (1.0 - growth) ** power)
+
+
+def held_solid(h, b, l, nu, strain, shift):
+    """Return places, and stresses beside an S by a shift of one sign and the other, of an eighth.
+
+    Linear solids that clamps hold across, free to grow along, and bent: x from a clamp on, y across
+    the thickness, z across the width. Stresses are (signs, nodes, components).
+    """
+    xs, ys, zs = (towards(end, 0.02 * h, n) for end, n in ((l / 2, 14), (h / 2, 7), (b / 2, 12)))
+    nodes, rows = bricks(l / 2 - xs[::-1], ys, zs)
+    ids, places = np.array(list(nodes)), np.array(list(nodes.values()))
+    start, middle, low, inner = (
+        ids[np.isclose(places[:, axis], at, atol=1e-9)]
+        for axis, at in ((0, 0.0), (0, l / 2), (1, 0.0), (2, 0.0))
+    )
+
+    def step(*fixed):
+        known = {(node, axis): find(nodes[node]) for who, axis, find in fixed for node in who}
+        lines = (f"{node}, {axis}, {axis}, {at:.12g}" for (node, axis), at in known.items())
+        return HELD_STEP.format(fixed="\n".join(lines))
+
+    def none(_):
+        return 0.0
+
+    even = (low, 2, none), (inner, 3, none), (middle, 1, none)
+    odd = (low, 1, none), (low, 3, none), (inner, 3, none), (middle, 2, none), (middle, 3, none)
+    text = HELD_DECK.format(nodes=listed(nodes), elements=elements_of(rows.values()), nu=nu)
+    text += step(
+        *even, (start, 1, none), (start, 2, lambda at: -strain * at[1]),
+        (start, 3, lambda at: -strain * at[2]),
+    )  # fmt: skip
+    text += step(*even, (start, 1, lambda at: -strain * l), (start, 2, none), (start, 3, none))
+    text += step(*odd, (start, 1, none), (start, 2, lambda at: shift / 2.0), (start, 3, none))
+    solid = run(text, "held")
+    held, pulled, bent = (np.array([each[n] for n in ids]) for each in solid.fields("STRESS"))
+    along, by_pull, _ = (sum(each[n][0] for n in start) for each in solid.fields("FORC"))
+    free = held - along / by_pull * pulled
+    return places, np.array([free + bent, free - bent])
+
+
+def von_mises(stress):
+    xx, yy, zz, *sheared = np.moveaxis(stress, -1, 0)
+    apart = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    return np.sqrt(apart / 2.0 + 3.0 * sum(each**2 for each in sheared))
+
+
+@pytest.mark.calculix
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="CalculiX is not installed")
+@pytest.mark.parametrize(
+    ("b", "l", "nu", "stroke"),
+    [(3.0, 24.0, 0.2, 0.0), (6.0, 20.0, 0.4, 0.25), (20.0, 12.0, 0.3, 0.02)],
+)
+def test_solids_that_clamps_hold_are_stressed_as_far_as_is_told(b, l, nu, stroke):
+    """All of a blade but the edges at its clamp, which are singular, warm and bent to an S."""
+    moved = f"stroke: {{translation: {stroke} mm}}, " if stroke else ""
+    checks = flexcli.check(HELD.format(b=b, l=l, nu=nu, stroke=moved)).checks
+    told = next(check for check in checks if "held across" in check.name)
+    h = 1.0
+    places, stress = held_solid(h, b, l, nu, 9e-6 * 100.0, stroke)
+    x, to_face, to_side = places[:, 0], h / 2.0 - places[:, 1], b / 2.0 - places[:, 2]
+    inner = (np.hypot(x, to_face) >= 0.25 * h) & (np.hypot(x, to_side) >= max(h / 2.0, b / 40.0))
+    found = von_mises(stress)
+    worst, (amid,) = found[:, inner].max(), np.flatnonzero(~places.any(axis=1))
+    least, most = (told.capacity / factor for factor in reversed(told.factor_range))
+    assert least < worst < most
+    # it is no bound alone: more than two thirds of it are there
+    assert worst > 0.67 * most
+    if not stroke:
+        assert found[0, amid] == pytest.approx(told.demand, rel=0.03)
+    # the bound of a plate whose clamp holds its width is less than what is there
+    assert worst > 114e9 * 9e-4 / (1.0 - nu**2)
+
+
 WARM = """
 flexure: 1
 material: ti-6al-4v

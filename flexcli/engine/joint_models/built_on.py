@@ -22,6 +22,10 @@ class BuiltOn(JointModel):
         """Return those of the inner model."""
         return self.inner.springs(ask, in_plane=in_plane)
 
+    def axial_stress(self, ask: Ask) -> float | None:
+        """Return that of the inner model."""
+        return self.inner.axial_stress(ask)
+
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return that of the inner model: it is in its errors what it leaves out."""
         return self.inner.envelope(ask)

@@ -456,6 +456,11 @@ class ExactModel(JointModel):
             return Bent(share)
         return Bent(share, held_bending(warmed(ask), ask.material.elastic.most_nu))
 
+    def axial_stress(self, ask: Ask) -> float:
+        """Return the largest stress of what pulls and pushes along blades."""
+        found = range(len(self.states(ask).layout.blades))
+        return max(float(np.abs(self.stress_along(ask, i, POINTS).axial).max()) for i in found)
+
     def stress_along(self, ask: Ask, index: int, points: int) -> BladeStress:
         """Return the stress along a blade in a case's states, at places on each of its pieces."""
         state, plates = self.states(ask), self._plates(ask)

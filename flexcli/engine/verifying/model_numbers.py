@@ -6,7 +6,7 @@ import numpy as np
 
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.exact_with_shells import ExactWithShells
-from flexcli.engine.joint_models.joint_states import warmed
+from flexcli.engine.joint_models.joint_states import layout_of
 from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.engine.solid.model import solid_model
 from flexcli.engine.solid.numbers import STRAIGHT, StressPlace
@@ -20,7 +20,6 @@ from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask, JointModel
 from flexcli.parts.requirements.buckling import strained
 from flexcli.parts.requirements.support import CENTRE
-from flexcli.parts.temperature import held_across
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["PRINTED", "Found", "ModelNumbers"]
@@ -146,7 +145,9 @@ class ModelNumbers:
         """
         worst = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
         strain = worst / ask.material.elastic.E
-        held = 0.0 if ask.scene.temperature is None else held_across(warmed(ask))
+        warm, held = ask.scene.temperature, 0.0
+        if warm is not None:
+            held = warm.held_across(layout_of(ask), ask.material, ask.geometry.axes)
         return DIGITS + strain + HELD_STRESS * held / strain
 
     def law_in_shift(self, ask: Ask) -> float:

@@ -585,6 +585,11 @@ class Geometry(Part):
         """Return it cut from one piece with its bodies where the spec does not state its clamps."""
         return None
 
+    @property
+    def says_rigid(self) -> bool:
+        """Return whether the spec says that its blades end in rigid clamps."""
+        return False
+
     def has_blades_of(self, other: "Geometry") -> bool:
         """Return whether another has the same bodies and blades, whatever their end conditions."""
         if self is other:

@@ -83,6 +83,11 @@ class ClampedBlades(Geometry):
         """Return it cut from one piece where the spec does not state its clamps."""
         return None if self.clamps else self.model_copy(update={"clamps": "monolithic"})
 
+    @property
+    def says_rigid(self) -> bool:
+        """Return whether the spec says so."""
+        return self.clamps == "rigid"
+
     def radii(self, sizes: Sizes) -> dict[str, Computed]:
         """Return the radii of its roots where they are cut from one piece, or have fillets."""
         is_cut = self.clamps not in (None, "rigid")

@@ -292,6 +292,10 @@ class JointModel(ABC):
         """
         raise NotAvailable(WARM)
 
+    def axial_stress(self, ask: Ask) -> float | None:
+        """Return the largest stress along blades that is no bending [Pa], None if nobody knows."""
+        return None
+
     def bent(self, ask: Ask) -> Bent:
         """Return what of its stress loads and heat make by bending what is deformed."""
         return Bent(0.0)

@@ -1,7 +1,7 @@
 """Yield: the largest stress of a case against an allowable of the material."""
 
 from collections.abc import Iterator, Sequence
-from math import sqrt
+from math import isnan
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import field_validator
@@ -82,41 +82,40 @@ class Yield(FactorRequirement):
     def _held_across(
         self, ask: Ask, found: Sequence[EndStress], strength: float, allowable: str
     ) -> Iterator[Limit]:
-        """Yield the stress at clamps that keep blades from growing across, with that along them.
+        """Yield the stress at clamps that keep blades from growing, with that along them.
 
-        Von Mises' of both on the face where they differ in sign. Its range goes from compliant
-        clamps, which leave the stress along, to those that hold blades along as well.
+        Its range goes up to what rigid clamps hold but in their edges, and down to what they hold
+        amid them; unless they are said to be rigid, down to clamps that leave the stress along.
         """
         if ask.scene.temperature is None:
             return
-        from flexcli.parts.temperature import held_stress
+        from flexcli.parts.held_at_clamps import held_at_clamps
 
-        across = held_stress(ask.scene.temperature, ask.geometry, ask.material, ask.sizes)
-        if across <= FELT * strength:
+        held = held_at_clamps(ask.scene.temperature, ask.geometry, ask.material, ask.sizes)
+        if held is None or held.most(0.0, 0.0) <= FELT * strength:
             return
         along = max(float(stress.largest) for stress in found)
-        both = _equivalent(along, across)
+        pulled = ask.joint_model.axial_stress(ask)
+        axial = along if pulled is None else min(pulled, along)
+        both = held.likely(along, axial)
         error = ask.joint_model.error(ask, QuantityKind.STRESS)
         if error is not None:
-            nu = ask.material.elastic.most_nu
-            most = _equivalent(along * (1.0 + error.high), across / (1.0 - nu**2))
-            error = ErrorRange(along * (1.0 + error.low) / both - 1.0, most / both - 1.0)
+            more, less = 1.0 + error.high, 1.0 + error.low
+            most = held.most(along * more, axial * more)
+            least = held.least(along * less, axial * more)
+            # no stress along has no share that it may be off by
+            error = None if isnan(most) else ErrorRange(least / both - 1.0, most / both - 1.0)
         yield Limit(
             self.label,
             ask.scene.case,
-            "stress along and across blades, at clamps that keep them from growing",
+            "stress at clamps that keep blades from growing, with that along",
             both,
             strength,
             "Pa",
-            f"allowable: {allowable}; E times the difference of strains, by von Mises",
+            f"allowable: {allowable}; clamp-held-middle and -face, by von Mises",
             required=self.factor,
             variant=f"{allowable}, held across",
             kind=QuantityKind.STRESS,
             error=error,
             strengths=(allowable.replace("-", "_"),),
         )
-
-
-def _equivalent(along: float, across: float) -> float:
-    """Return von Mises' stress of two stresses of opposite sign."""
-    return sqrt(along**2 + along * across + across**2)
