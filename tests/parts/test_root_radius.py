@@ -3,7 +3,7 @@
 import pytest
 import yaml
 from plates import notched_plate
-from plates.filleted_blade import beyond_beam, over_beam
+from plates.filleted_blade import beam_compliances, beyond_beam, over_beam
 from pydantic import TypeAdapter
 
 import flexcli
@@ -46,8 +46,8 @@ def test_peaks_on_bodies_hardly_higher_than_the_fillets_are_within_what_is_told_
     for bar, wedge, factor, more in zip(bars, wedges, factors, fillet.above_bars(x), strict=True):
         assert bar < wedge <= factor
         assert wedge <= bar * (1.0 + more)
-    assert factors[1] * (1.0 - fillet.factors_above(**at, bars=True)) <= bars[1]
-    assert factors[1] * (1.0 - fillet.factors_above(**at)) > bars[1]
+    assert factors[1] * (1.0 - fillet.factors_above(**at, bars=True).along) <= bars[1]
+    assert factors[1] * (1.0 - fillet.factors_above(**at).along) > bars[1]
 
 
 @pytest.mark.parametrize("blocks", ["massive", None, "3 mm"])
@@ -65,11 +65,53 @@ def test_solids_with_bars_beside_sharp_fillets_know_that_larger_bodies_raise_the
 
 
 @pytest.mark.parametrize("straight", [0.5, 4.0])
+@pytest.mark.parametrize("x", [0.05, 1.0, *SHARPNESS, 15.0])
+def test_the_peak_of_a_bent_plane_body_is_in_the_range_of_what_its_factor_is_above(x, straight):
+    bent, _ = notched_plate.peaks_over_nominal(edges(x, straight), **LARGE)
+    at = {"h": 1.0, "l": straight + 2.0 / x, "r": 1.0 / x}
+    share = fillet.factors_above(**at).bent
+    assert fillet.bending_factor(**at) * (1.0 - share) <= bent * (1.0 + ELEMENTS)
+    assert share < 0.007 or x > 1.0
+
+
+@pytest.mark.parametrize("x", [0.5, 1.0, 1.6, 2.5, 4.0])
+def test_rigid_clamps_relieve_the_peaks_of_fillets_by_no_more_than_is_told(x):
+    walls = notched_plate.peaks_over_nominal(edges(x), block=0.004)
+    at = {"h": 1.0, "l": 4.0 + 2.0 / x, "r": 1.0 / x}
+    factors = fillet.bending_factor(**at), fillet.axial_factor(**at)
+    told, bodies = (fillet.factors_above(**at, clamped=each) for each in (True, False))
+    for wall, factor, share, less in zip(walls, factors, told, bodies, strict=True):
+        assert factor * (1.0 - share) <= wall <= factor * (1.0 + 2.0 * ELEMENTS)
+        assert x < 2.0 or factor * (1.0 - less) > wall
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
+@pytest.mark.parametrize("x", [0.4, 2.5])
+def test_the_stress_of_an_arc_between_rigid_clamps_is_that_of_a_plane_body(x, model):
+    """And told closer than a pull would be, which small fillets bear otherwise."""
+    sizes = {
+        "h": "1 mm",
+        "l": f"{20.0 + 2.0 / x!r} mm",
+        "b": "1 mm",
+        "root_radius": f"{1 / x!r} mm",
+    }
+    said = {"kind": "moment-blade", "clamps": "rigid", **sizes}
+    turned = {"use": {"stroke": {"rotation": "1 mrad"}}}
+    check = flexcli.check(design(said, {"yield": 1.0}, cases=turned), model=model).checks[-1]
+    bent, _ = notched_plate.peaks_over_nominal(edges(x, 20.0), block=0.004)
+    (rotation, _, _), (ratio, _, _) = beam_compliances(1.0 / x, 20.0), over_beam(1.0 / x, 20.0)
+    true = 1e9 / (200e9 * 1e-3 * 6.0 * bent * ratio / rotation)
+    low, high = check.factor_range
+    assert low <= true <= high
+    assert high / low < (1.035 if x < 1.0 else 1.2)
+
+
+@pytest.mark.parametrize("straight", [0.5, 4.0])
 @pytest.mark.parametrize("x", [0.05, *SHARPNESS])
 def test_the_peak_of_a_plane_body_is_in_the_range_of_what_the_factors_are_above(x, straight):
     _, stretched = notched_plate.peaks_over_nominal(edges(x, straight), **LARGE)
     at = {"h": 1.0, "l": straight + 2.0 / x, "r": 1.0 / x}
-    least = fillet.axial_factor(**at) * (1.0 - fillet.factors_above(**at))
+    least = fillet.axial_factor(**at) * (1.0 - fillet.factors_above(**at).along)
     assert 1.0 <= least <= stretched * (1.0 + ELEMENTS)
 
 

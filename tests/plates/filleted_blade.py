@@ -12,7 +12,7 @@ from numpy.polynomial import legendre
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 
-__all__ = ["beyond_beam", "over_beam"]
+__all__ = ["beam_compliances", "beyond_beam", "over_beam"]
 
 DEGREE = 5
 
@@ -23,16 +23,19 @@ def over_beam(r, straight, *, body=None, nu=0.3):
     ``straight`` is the length between the fillets of radius ``r``; ``body`` how far the body
     reaches beyond the fillets and behind its face, all over the thickness, or nothing if rigid.
     """
-    return np.array(_stiffness(r, straight / 2.0, body, nu)) * _beam(r, straight / 2.0, nu)
+    return np.array(_stiffness(r, straight / 2.0, body, nu)) * beam_compliances(r, straight, nu=nu)
 
 
 def beyond_beam(r, straight, *, body=None, nu=0.3):
     """Return the rotation, travel and elongation per moment and forces beyond those of the beam."""
-    return 1.0 / np.array(_stiffness(r, straight / 2.0, body, nu)) - _beam(r, straight / 2.0, nu)
+    return 1.0 / np.array(_stiffness(r, straight / 2.0, body, nu)) - beam_compliances(
+        r, straight, nu=nu
+    )
 
 
-def _beam(r, half, nu):
+def beam_compliances(r, straight, *, nu=0.3):
     """Return the compliances of the beam of the profile: its rotation, travel and elongation."""
+    half = straight / 2.0
     g, w = legendre.leggauss(400)
     phi = np.pi / 4.0 * (g + 1.0)
     places, weights = r * np.sin(phi), w * np.pi / 4.0 * r * np.cos(phi)
