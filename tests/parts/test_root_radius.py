@@ -9,7 +9,9 @@ from pydantic import TypeAdapter
 import flexcli
 from flexcli.formulas import fillet, notch
 from flexcli.formulas.clamps import clamp_compliance, fillet_compliance, filleted_root
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import AnyGeometry
+from flexcli.parts.space_joint import SpaceJoint
 from flexcli.results import Status
 
 SHARPNESS = [0.5, 2.0, 7.0]
@@ -215,6 +217,39 @@ def test_fillets_leave_less_of_a_root_than_sharp_corners():
     sharp = clamp_compliance(h=1.0, b=1e4, poisson_ratio=0.3)
     tiny = filleted_root(h=1.0, r=1.0 / 300.0, poisson_ratio=0.3, body="side").turn
     assert sharp.least < tiny == pytest.approx(sharp.most, rel=0.02)
+
+
+@pytest.mark.parametrize("kind", ["moment-blade", "guided-blade", "cross-spring"])
+def test_what_tiny_fillets_change_of_a_shift_is_what_sharp_roots_do(kind):
+    sizes = {"h": "0.1 mm", "l": "10 mm", "b": "300 mm", "clamps": "monolithic"}
+    said = {"kind": kind, **sizes, **JOINTS[kind]}
+    joints = [
+        TypeAdapter(AnyGeometry).validate_python(each)
+        for each in (said, {**said, "root_radius": "0.5 um"})
+    ]
+    sharp, tiny = (joint.compliant_clamps(joint.sized({}), 0.3).shift for joint in joints)
+    assert tiny == pytest.approx(sharp, rel=0.06)
+
+
+@pytest.mark.parametrize("body", [None, (8.0, 8.0)])
+@pytest.mark.parametrize(
+    ("x", "straight", "b"), [(0.3, 10.0, 3.0), (1.0, 6.0, 1.0), (8.0, 20.0, 20.0)]
+)
+def test_a_blade_with_fillets_in_space_gives_way_at_its_roots_as_plane_bodies_do(
+    x, straight, b, body
+):
+    """Stretched, across its thickness and turned, about its middle, at ν = 0; E = 1, h = 1."""
+    clamps = "rigid" if body is None else "monolithic"
+    sizes = {"h": "1 m", "l": f"{straight + 2.0 / x!r} m", "b": f"{b} m"}
+    said = {"kind": "guided-blade", "clamps": clamps, **sizes, "root_radius": f"{1.0 / x!r} m"}
+    joint = TypeAdapter(AnyGeometry).validate_python(said)
+    layout = joint.space_layout(Elastic(1.0, 0.0), joint.sized({}))
+    found = SpaceJoint(layout, roots=joint.root_springs(joint.sized({}), 0.0))
+    over = over_beam(1.0 / x, straight, body=body, nu=0.0)
+    true = b * over / beam_compliances(1.0 / x, straight, nu=0.0)
+    for spring, stiffness in zip((5, 1, 0), true, strict=True):
+        told = found.assembly.stiffness[spring]
+        assert told * (1.0 + found.low[spring]) <= stiffness <= told * (1.0 + found.high[spring])
 
 
 @pytest.mark.parametrize("straight", [1e-3, 0.05])

@@ -485,7 +485,7 @@ def _filleted_shortening(profile: Profile, l: float, root: Floats) -> tuple[floa
             else:
                 motion = float(np.sum(_trapezoids(turns, s))) - 2.0 * jumped
             shares.append(float(np.sum(_trapezoids(turns**2, s))) / motion**2)
-        found.append(shares[1] / shares[0] - 1.0)
+        found.append(float(shares[1] / shares[0] - 1.0))
     return found[0], found[1]
 
 
