@@ -1,5 +1,7 @@
 """Fillets at the root of a blade: how far they raise its stress over that of the plain blade."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -7,11 +9,27 @@ from flexcli.formulas import notch
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Numbers
 
-__all__ = ["CARDS", "above_bars", "axial_factor", "bending_factor", "factors_above"]
+__all__ = [
+    "CARDS",
+    "Above",
+    "above_bars",
+    "axial_factor",
+    "bending_factor",
+    "factors_above",
+]
 
 ABOVE, ABOVE_SHORT = 0.027, 0.045
 """What the factor along a blade is above that of plane bodies at most, where h ≤ 2 r; the second of
 blades less than h between their fillets."""
+
+BENT, BENT_SHARP, BENT_SHORT = 0.0015, 0.0025, 0.005
+"""The same of the factor in bending, how much more per h/r beyond 1 (wedges), and of such short
+blades."""
+
+CLAMPED, CLAMPED_BENT = (0.6, 0.027, 0.17), (1.0, 0.0015, 0.066)
+"""The h/r up to which rigid clamps hardly relieve the peak along a blade and in bending, by what
+the factors are above it there, and how much more per h/r beyond; plane bodies had at most 0.073,
+0.25, 0.35 and 0.64 along at h/r = 1, 2, 4 and 20, and 0.001, 0.046, 0.2 and 0.46 bent."""
 
 OF_WEDGES = 0.0125
 """How much more that is per h/r beyond 2, of bodies that are hardly twice as high as the fillets: a
@@ -99,11 +117,22 @@ def axial_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
     return np.where(_is_fitted(h, l, r), fitted, notch.axial_factor(e=x, r=1.0))[()]
 
 
-def factors_above(h: float, l: float, r: float, *, bars: bool = False) -> float:
+class Above(NamedTuple):
+    """By what share of them peaks of stress may be less than the factors say, bent and along."""
+
+    bent: float
+    along: float
+
+
+def factors_above(
+    h: float, l: float, r: float, *, bars: bool = False, clamped: bool = False
+) -> Above:
     """Return by what share of it the peak of a stress may be less than these factors say [-].
 
-    ``min(0.027 + 0.0125 (h/r − 2), 1 − 1/K_t)`` of the factor along the blade, which is the less
-    sure of both, 0.045 with less than h between the fillets; where it was not fitted, no peak.
+    In bending ``0.0015 + 0.0025 (h/r − 1)``, along the blade ``0.027 + 0.0125 (h/r − 2)`` where
+    positive; in rigid clamps, which keep fillets of h > r from stretching at their foot, 0.0015 +
+    0.066 (h/r − 1) and 0.027 + 0.17 (h/r − 0.6); at most 1 − 1/K_t, and that where it was not
+    fitted.
 
     Parameters
     ----------
@@ -111,30 +140,47 @@ def factors_above(h: float, l: float, r: float, *, bars: bool = False) -> float:
         Thickness, length with both fillets, and radius of these [m].
     bars : bool
         Whether the bodies may be bars as high as the fillets, not at least twice as high.
+    clamped : bool
+        Whether they may be rigid where the fillets end.
 
     Returns
     -------
-    share : float
+    bent, along : float
         Of the stress with the factor [-].
 
     Examples
     --------
-    >>> round(factors_above(0.2e-3, 20e-3, 0.2e-3), 3), round(factors_above(0.01, 2.0, 0.24), 3)
-    (0.027, 0.011)
+    >>> [round(share, 3) for share in factors_above(0.2e-3, 20e-3, 0.2e-3)]
+    [0.002, 0.027]
 
     References
     ----------
-    The finite elements of ``axial_factor``.
+    The finite elements of ``axial_factor``, and others of high order for plane bodies on walls, of
+    ν from 0 to 0.9.
 
     """
-    x = h / r
-    least = 1.0 - 1.0 / float(axial_factor(h=h, l=l, r=r))
+    x, at = h / r, {"h": h, "l": l, "r": r}
+    most = Above(*(1.0 - 1.0 / float(k(**at)) for k in (bending_factor, axial_factor)))
     if not _is_fitted(h, l, r):
-        return least
-    above = ABOVE if l - 2.0 * r >= h else ABOVE_SHORT
+        return most
+    bent, along = BENT + BENT_SHARP * max(x - 1.0, 0.0), ABOVE
+    if l - 2.0 * r < h:
+        bent, along = bent + BENT_SHORT, ABOVE_SHORT
     if bars:
-        return min(1.0 - (1.0 - above) / (1.0 + above_bars(x)[1]), least)
-    return min(above + OF_WEDGES * max(x - 2.0, 0.0), least)
+        bent, along = (
+            1.0 - (1.0 - own) / (1.0 + more)
+            for own, more in zip((bent, along), above_bars(x), strict=True)
+        )
+    else:
+        along += OF_WEDGES * max(x - 2.0, 0.0)
+    if clamped:
+        bent = max(bent, _clamped(x, *CLAMPED_BENT))
+        along = max(along, _clamped(x, *CLAMPED))
+    return Above(min(bent, most.bent), min(along, most.along))
+
+
+def _clamped(x: float, freely: float, least: float, more: float) -> float:
+    return least + more * max(x - freely, 0.0)
 
 
 def above_bars(x: float) -> tuple[float, float]:

@@ -3,12 +3,15 @@
 import pytest
 import yaml
 from plates import notched_plate
+from plates.filleted_blade import beam_compliances, beyond_beam, over_beam
 from pydantic import TypeAdapter
 
 import flexcli
 from flexcli.formulas import fillet, notch
-from flexcli.formulas.clamps import TURN, clamp_compliance, fillet_compliance
+from flexcli.formulas.clamps import clamp_compliance, fillet_compliance, filleted_root
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import AnyGeometry
+from flexcli.parts.space_joint import SpaceJoint
 from flexcli.results import Status
 
 SHARPNESS = [0.5, 2.0, 7.0]
@@ -45,8 +48,8 @@ def test_peaks_on_bodies_hardly_higher_than_the_fillets_are_within_what_is_told_
     for bar, wedge, factor, more in zip(bars, wedges, factors, fillet.above_bars(x), strict=True):
         assert bar < wedge <= factor
         assert wedge <= bar * (1.0 + more)
-    assert factors[1] * (1.0 - fillet.factors_above(**at, bars=True)) <= bars[1]
-    assert factors[1] * (1.0 - fillet.factors_above(**at)) > bars[1]
+    assert factors[1] * (1.0 - fillet.factors_above(**at, bars=True).along) <= bars[1]
+    assert factors[1] * (1.0 - fillet.factors_above(**at).along) > bars[1]
 
 
 @pytest.mark.parametrize("blocks", ["massive", None, "3 mm"])
@@ -64,11 +67,53 @@ def test_solids_with_bars_beside_sharp_fillets_know_that_larger_bodies_raise_the
 
 
 @pytest.mark.parametrize("straight", [0.5, 4.0])
+@pytest.mark.parametrize("x", [0.05, 1.0, *SHARPNESS, 15.0])
+def test_the_peak_of_a_bent_plane_body_is_in_the_range_of_what_its_factor_is_above(x, straight):
+    bent, _ = notched_plate.peaks_over_nominal(edges(x, straight), **LARGE)
+    at = {"h": 1.0, "l": straight + 2.0 / x, "r": 1.0 / x}
+    share = fillet.factors_above(**at).bent
+    assert fillet.bending_factor(**at) * (1.0 - share) <= bent * (1.0 + ELEMENTS)
+    assert share < 0.007 or x > 1.0
+
+
+@pytest.mark.parametrize("x", [0.5, 1.0, 1.6, 2.5, 4.0])
+def test_rigid_clamps_relieve_the_peaks_of_fillets_by_no_more_than_is_told(x):
+    walls = notched_plate.peaks_over_nominal(edges(x), block=0.004)
+    at = {"h": 1.0, "l": 4.0 + 2.0 / x, "r": 1.0 / x}
+    factors = fillet.bending_factor(**at), fillet.axial_factor(**at)
+    told, bodies = (fillet.factors_above(**at, clamped=each) for each in (True, False))
+    for wall, factor, share, less in zip(walls, factors, told, bodies, strict=True):
+        assert factor * (1.0 - share) <= wall <= factor * (1.0 + 2.0 * ELEMENTS)
+        assert x < 2.0 or factor * (1.0 - less) > wall
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
+@pytest.mark.parametrize("x", [0.4, 2.5])
+def test_the_stress_of_an_arc_between_rigid_clamps_is_that_of_a_plane_body(x, model):
+    """And told closer than a pull would be, which small fillets bear otherwise."""
+    sizes = {
+        "h": "1 mm",
+        "l": f"{20.0 + 2.0 / x!r} mm",
+        "b": "1 mm",
+        "root_radius": f"{1 / x!r} mm",
+    }
+    said = {"kind": "moment-blade", "clamps": "rigid", **sizes}
+    turned = {"use": {"stroke": {"rotation": "1 mrad"}}}
+    check = flexcli.check(design(said, {"yield": 1.0}, cases=turned), model=model).checks[-1]
+    bent, _ = notched_plate.peaks_over_nominal(edges(x, 20.0), block=0.004)
+    (rotation, _, _), (ratio, _, _) = beam_compliances(1.0 / x, 20.0), over_beam(1.0 / x, 20.0)
+    true = 1e9 / (200e9 * 1e-3 * 6.0 * bent * ratio / rotation)
+    low, high = check.factor_range
+    assert low <= true <= high
+    assert high / low < (1.035 if x < 1.0 else 1.2)
+
+
+@pytest.mark.parametrize("straight", [0.5, 4.0])
 @pytest.mark.parametrize("x", [0.05, *SHARPNESS])
 def test_the_peak_of_a_plane_body_is_in_the_range_of_what_the_factors_are_above(x, straight):
     _, stretched = notched_plate.peaks_over_nominal(edges(x, straight), **LARGE)
     at = {"h": 1.0, "l": straight + 2.0 / x, "r": 1.0 / x}
-    least = fillet.axial_factor(**at) * (1.0 - fillet.factors_above(**at))
+    least = fillet.axial_factor(**at) * (1.0 - fillet.factors_above(**at).along)
     assert 1.0 <= least <= stretched * (1.0 + ELEMENTS)
 
 
@@ -98,18 +143,119 @@ def test_a_deep_notch_has_a_higher_peak_and_bounds_sharper_fillets(x):
         assert bool(own == other) is (x > 20.0)
 
 
-@pytest.mark.parametrize("x", [0.3, *SHARPNESS])
-def test_fillets_turn_beyond_their_beam_as_plane_bodies_do(x):
-    rigid = notched_plate.turn_beyond_beam(edges(x), block=0.004)
-    large = notched_plate.turn_beyond_beam(edges(x), **LARGE)
-    found = fillet_compliance(h=1.0, r=1.0 / x)
-    assert found.least <= rigid <= found.most
-    plane = {"h": 1.0, "b": 1e4, "poisson_ratio": 0.3}
-    cut = clamp_compliance(**plane, r=1.0 / x)
-    assert (
-        cut.least <= (1.0 - 0.3**2) * large <= large <= cut.most <= clamp_compliance(**plane).most
-    )
-    assert large < TURN
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.8])
+@pytest.mark.parametrize("x", [0.06, 0.3, *SHARPNESS, 15.0])
+def test_fillets_give_way_beyond_their_beam_as_plane_bodies_do(x, nu):
+    turn, mixed, shift, stretch = fillet_compliance(h=1.0, r=1.0 / x, poisson_ratio=nu)
+    off = 0.012 * (1.0 + x**-0.5)
+    for half in (0.5, 2.0):
+        arc, bent, pulled = beyond_beam(1.0 / x, 2.0 * half, nu=nu) / 2.0
+        assert arc == pytest.approx(turn, abs=0.03)
+        assert pulled == pytest.approx(stretch, abs=0.01)
+        within = 0.03 * half**2 + 0.06 * half + off
+        assert bent == pytest.approx(turn * half**2 - 2.0 * mixed * half + shift, abs=within)
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.8])
+@pytest.mark.parametrize("x", [0.06, 0.3, *SHARPNESS, 15.0])
+def test_roots_with_fillets_give_way_as_plane_bodies_on_the_widest_body_do(x, nu):
+    found = filleted_root(h=1.0, r=1.0 / x, poisson_ratio=nu, body="wide")
+    turn, mixed, shift, stretch = found
+    for half in (0.5, 2.0):
+        arc, bent, pulled = beyond_beam(1.0 / x, 2.0 * half, body=(5.0, 2.0), nu=nu) / 2.0
+        assert turn - 0.01 <= arc <= turn + 0.13
+        assert stretch - 0.01 <= pulled <= stretch + 0.35  # of ν, 0 to 0.95
+        told = turn * half**2 - 2.0 * mixed * half + shift
+        assert told - 0.01 * half**2 - 0.1 * half - 0.1 <= bent
+
+
+def told_stiffness(clamps, x, straight, nu):
+    """Return the ranges of the stiffness of a blade over its beam's, as an arc and as an S."""
+    found = []
+    for kind in ("moment-blade", "guided-blade"):
+        sizes = {"h": "1 m", "l": f"{straight + 2.0 / x!r} m", "b": "3000 m"}
+        said = {"kind": kind, "clamps": clamps, **sizes, "root_radius": f"{1.0 / x!r} m"}
+        joint = TypeAdapter(AnyGeometry).validate_python(said)
+        found.append(joint.compliant_clamps(joint.sized({}), nu).stiffness)
+    return found
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.49])
+@pytest.mark.parametrize("straight", [0.3, 1.0, 4.0, 15.0])
+@pytest.mark.parametrize("x", [0.1, *SHARPNESS, 18.0])
+def test_blades_with_fillets_between_walls_are_as_stiff_as_plane_bodies(x, straight, nu):
+    """In plane stress, and in plane strain over the beam of that."""
+    ranges = told_stiffness("rigid", x, straight, nu)
+    for ratio in (nu, nu / (1.0 - nu)):
+        true = over_beam(1.0 / x, straight, nu=ratio)
+        for told, stiffness in zip(ranges, true[:2], strict=True):
+            assert told.low <= stiffness <= told.high
+    if straight >= 4.0:
+        assert all(told.high / told.low < (1.02 if nu == 0.0 else 1.09) for told in ranges)
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.49])
+@pytest.mark.parametrize("straight", [1.0, 15.0])
+@pytest.mark.parametrize("x", [0.1, 0.5, 2.0, 15.0])
+def test_blades_with_fillets_cut_from_bodies_are_as_stiff_as_plane_bodies(x, straight, nu):
+    ranges = told_stiffness("monolithic", x, straight, nu)
+    near = max(1.0 - 1.0 / x, 0.5)
+    for ratio in (nu, nu / (1.0 - nu)):
+        for body in ((near, 2.0), (2.0, 2.0), (9.0, 9.0)):
+            true = over_beam(1.0 / x, straight, body=body, nu=ratio)
+            for told, stiffness in zip(ranges, true[:2], strict=True):
+                assert told.low <= stiffness <= told.high
+    if straight >= 15.0:
+        assert all(told.high / told.low < 1.04 + 0.1 * nu for told in ranges)
+
+
+def test_fillets_leave_less_of_a_root_than_sharp_corners():
+    """The larger the less, down to that of sharp ones."""
+    found = [told_stiffness("monolithic", x, 15.0, 0.3)[0] for x in (0.3, 2.0, 19.0)]
+    lows = [each.low for each in found]
+    assert lows == sorted(lows, reverse=True)
+    sharp = clamp_compliance(h=1.0, b=1e4, poisson_ratio=0.3)
+    tiny = filleted_root(h=1.0, r=1.0 / 300.0, poisson_ratio=0.3, body="side").turn
+    assert sharp.least < tiny == pytest.approx(sharp.most, rel=0.02)
+
+
+@pytest.mark.parametrize("kind", ["moment-blade", "guided-blade", "cross-spring"])
+def test_what_tiny_fillets_change_of_a_shift_is_what_sharp_roots_do(kind):
+    sizes = {"h": "0.1 mm", "l": "10 mm", "b": "300 mm", "clamps": "monolithic"}
+    said = {"kind": kind, **sizes, **JOINTS[kind]}
+    joints = [
+        TypeAdapter(AnyGeometry).validate_python(each)
+        for each in (said, {**said, "root_radius": "0.5 um"})
+    ]
+    sharp, tiny = (joint.compliant_clamps(joint.sized({}), 0.3).shift for joint in joints)
+    assert tiny == pytest.approx(sharp, rel=0.06)
+
+
+@pytest.mark.parametrize("body", [None, (8.0, 8.0)])
+@pytest.mark.parametrize(
+    ("x", "straight", "b"), [(0.3, 10.0, 3.0), (1.0, 6.0, 1.0), (8.0, 20.0, 20.0)]
+)
+def test_a_blade_with_fillets_in_space_gives_way_at_its_roots_as_plane_bodies_do(
+    x, straight, b, body
+):
+    """Stretched, across its thickness and turned, about its middle, at ν = 0; E = 1, h = 1."""
+    clamps = "rigid" if body is None else "monolithic"
+    sizes = {"h": "1 m", "l": f"{straight + 2.0 / x!r} m", "b": f"{b} m"}
+    said = {"kind": "guided-blade", "clamps": clamps, **sizes, "root_radius": f"{1.0 / x!r} m"}
+    joint = TypeAdapter(AnyGeometry).validate_python(said)
+    layout = joint.space_layout(Elastic(1.0, 0.0), joint.sized({}))
+    found = SpaceJoint(layout, roots=joint.root_springs(joint.sized({}), 0.0))
+    over = over_beam(1.0 / x, straight, body=body, nu=0.0)
+    true = b * over / beam_compliances(1.0 / x, straight, nu=0.0)
+    for spring, stiffness in zip((5, 1, 0), true, strict=True):
+        told = found.assembly.stiffness[spring]
+        assert told * (1.0 + found.low[spring]) <= stiffness <= told * (1.0 + found.high[spring])
+
+
+@pytest.mark.parametrize("straight", [1e-3, 0.05])
+def test_sharp_fillets_that_nearly_meet_leave_a_blade_some_compliance(straight):
+    for told in told_stiffness("rigid", 18.0, straight, 0.49):
+        assert 0.0 < told.low < told.high < 200.0
 
 
 BLADE = {"h": "0.3 mm", "l": "12 mm", "b": "6 mm"}

@@ -139,7 +139,7 @@ class Corrected(BuiltOn):
                 for a, b in zip(left, beside, strict=True)
             )
             if EffectName.THICK_NOTCH not in self.inner.always:  # solids have the peak itself
-                low = (1.0 + low) * (1.0 - ask.geometry.peaks_above(ask.sizes)) - 1.0
+                low = (1.0 + low) * (1.0 - self.of_stress.peaks_above(ask)) - 1.0
             return ErrorRange(low, high) if isfinite(low) and isfinite(high) else None
         left = self.by.left(ask, kind, found)
         if left is not None and ask.scene.temperature is not None:

@@ -55,6 +55,20 @@ class CorrectedStress:
             corrected.append(s._replace(amplitude=s.amplitude * factor, mean=mean))
         return name, corrected
 
+    def peaks_above(self, ask: Ask) -> Number:
+        """Return by what share the peaks may be less than their factors make the largest stress."""
+        bent, along = map(number, ask.geometry.peaks_above(ask.sizes))
+        try:
+            found = self.by.inner.stresses(ask)[1]
+        except NotAvailable:
+            return larger(bent, along)
+        if any(s.is_at_face and s.pulled is None for s in found):
+            return larger(bent, along)
+        stretches = (larger(number(abs(s.axial)), number(abs(s.pulled or 0.0))) for s in found)
+        largest = larger(LEAST_STRESS, *(number(abs(s.largest)) for s in found))
+        share = smaller(1.0, larger(0.0, *map(number, stretches)) / largest)
+        return bent + larger(along - bent, 0.0) * share
+
     def _of_push(self, ask: Ask) -> tuple[Number, Number]:
         """Return the factor of the stress by a load along the stroke, and what wide blades leave.
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.wide_under_force import StateFactors
 from flexcli.mechanics.stresses import BladeStress
-from flexcli.numerics.rows import number
+from flexcli.numerics.rows import larger, number
 from flexcli.parts.requirements import Ask, EndStress
 from flexcli.parts.worst_places import worst_places
 
@@ -48,7 +48,8 @@ def worst_of_stroke(
     """
     scene, joint = ask.scene, ask.geometry.joint_of(blade)
     reverses = scene.mean_travel == 0.0 and not scene.is_loaded
-    middle = np.mean(list(faces.values()), axis=0) * float(scene.is_loaded)
+    middle = np.mean(list(faces.values()), axis=0)
+    loaded = float(scene.is_loaded)
     for face, stress in faces.items():
         in_pairs = ((s[::2], s[1::2]) if scene.moves else (s, s) for s in (stress, middle))
         (ones, others), (pulls, other_pulls) = in_pairs
@@ -59,7 +60,7 @@ def worst_of_stroke(
             at = step * index
             for place in _worst(one, other):
                 start, end, pulled, also = (_at(s, place) for s in (one, other, pull, last))
-                axial = number(pulled + also) / 2.0
+                axial = loaded * number(pulled + also) / 2.0
                 yield EndStress(
                     f"{blade}, {face} face",
                     number(abs(start - end)) / 2.0,
@@ -69,6 +70,7 @@ def worst_of_stroke(
                     is_at_face=True,
                     reverses=reverses,
                     wide=None if wide is None else wide.of_pair(at, at + step - 1),
+                    pulled=larger(number(abs(pulled)), number(abs(also))),
                 )
 
 

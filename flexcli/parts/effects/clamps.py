@@ -87,8 +87,10 @@ class ClampCompliance(ModelEffect):
         if softened is not None:
             text = f"h/l = {softened.ratio:.2g}"
             more = softened.stiffness.value - 1.0
-            if more > 0.0:
+            if more > 0.0 and softened.across is not None:
                 text += f"; the solid crossing makes blades {more:.1%} stiffer"
+            elif more > 0.0:
+                text += f"; they hold blades {more:.1%} stiffer than their beams"
             elif softened.stiffness.high == inf:
                 text += "; nobody knows how stiff the solid crossing is"
             return Indicator(softened.ratio, text)

@@ -566,9 +566,9 @@ class Geometry(Part):
         """Return the radius of the fillets at the roots of all its blades, 0 for none [m]."""
         return 0.0
 
-    def peaks_above(self, sizes: Sizes) -> Computed:
-        """Return by what share the peaks of stress may be less than its factors say [-]."""
-        return 0.0
+    def peaks_above(self, sizes: Sizes) -> tuple[Computed, Computed]:
+        """Return by what share peaks of stress may be less than its factors say, bent and along."""
+        return 0.0, 0.0
 
     def filleted(self, sizes: Sizes, nu: float) -> FilletedRoots | None:
         """Return the changes by fillets of its closed forms, None where these include them."""

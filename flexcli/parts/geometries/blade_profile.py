@@ -1,6 +1,7 @@
 """The thickness of a blade as a spec draws it; its least thickness may be left to sizing."""
 
 from abc import abstractmethod
+from functools import partial
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
@@ -48,9 +49,9 @@ class BladeProfile(Part):
         """Return the stress concentration factors of the shape in bending and along the blade."""
         return 1.0, 1.0
 
-    def peaks_above(self, size: Any, l: float) -> Computed:
-        """Return by what share the peaks of stress may be less than those factors say [-]."""
-        return 0.0
+    def peaks_above(self, size: Any, l: float, clamped: bool) -> tuple[Computed, Computed]:
+        """Return by what share peaks of stress may be less than those say, bent and along [-]."""
+        return 0.0, 0.0
 
     def thick(self, size: Numbers, l: float) -> Thick | None:
         """Return its change by plane elasticity, where it is a notch or has fillets."""
@@ -147,9 +148,11 @@ class FilletedProfile(BladeProfile):
         at = {"h": size, "l": l, "r": self.r}
         return fillet.bending_factor(**at), fillet.axial_factor(**at)
 
-    def peaks_above(self, size: Any, l: float) -> Computed:
+    def peaks_above(self, size: Any, l: float, clamped: bool) -> tuple[Computed, Computed]:
         """Return what those of its fillets may be less."""
-        return one_by_one(fillet.factors_above, size, l, self.r)
+        above = partial(fillet.factors_above, clamped=clamped)
+        bent, along = one_by_one(above, size, l, self.r)
+        return bent, along
 
     def thick(self, size: Numbers, l: float) -> Thick:
         """Return the factor of the fillets."""

@@ -2,6 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
+from functools import partial
 from math import pi
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias
 
@@ -183,13 +184,15 @@ class BladeGeometry(ClampedBlades):
 
         return bending_factor(**at), axial_factor(**at)
 
-    def peaks_above(self, sizes: Blade) -> Computed:
+    def peaks_above(self, sizes: Blade) -> tuple[Computed, Computed]:
         """Return what those of its fillets may be less."""
         if self.root_radius is None:
-            return 0.0
+            return 0.0, 0.0
         from flexcli.formulas.fillet import factors_above
 
-        return one_by_one(factors_above, sizes.h, sizes.l, self.fillet(sizes))
+        above = partial(factors_above, clamped=self.clamps in (None, "rigid"))
+        bent, along = one_by_one(above, sizes.h, sizes.l, self.fillet(sizes))
+        return bent, along
 
     def filleted(self, sizes: Blade, nu: float) -> FilletedRoots | None:
         """Return the changes of its closed forms by its fillets."""

@@ -311,15 +311,19 @@ class FreeLayout(Drawn, ClampedBlades):
             return 1.0, 1.0
         return blade.thickness.peaks(self.size_of(name, sizes), blade.length)
 
-    def peaks_above(self, sizes: Sizes) -> Computed:
+    def peaks_above(self, sizes: Sizes) -> tuple[Computed, Computed]:
         """Return what those of the blades' shapes may be less, at most."""
         if self.concentration == "none":
-            return 0.0
-        found = (
-            blade.thickness.peaks_above(self.size_of(name, sizes), blade.length)
-            for name, blade in self.blades.items()
+            return 0.0, 0.0
+        clamped = self.clamps in (None, "rigid")
+        bent, along = zip(
+            *(
+                blade.thickness.peaks_above(self.size_of(name, sizes), blade.length, clamped)
+                for name, blade in self.blades.items()
+            ),
+            strict=True,
         )
-        return larger(0.0, *found)
+        return larger(0.0, *bent), larger(0.0, *along)
 
     def _body(self, name: str, body: DrawnBody) -> Body:
         at = self._centre if name == self.moving and self.motion == "rotation" else body.at

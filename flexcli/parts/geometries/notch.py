@@ -458,12 +458,13 @@ class FilletedHinge(NotchGeometry):
         """Return those of its fillets."""
         return fillet_peaks(self.concentration, h=sizes.h, l=sizes.l, r=sizes.r)
 
-    def peaks_above(self, sizes: FilletedSizes) -> Computed:
+    def peaks_above(self, sizes: FilletedSizes) -> tuple[Computed, Computed]:
         """Return what those of its fillets may be less, on bars too unless blocks are massive."""
         if self.concentration == "none":
-            return 0.0
+            return 0.0, 0.0
         above = partial(fillet.factors_above, bars=self._beside != MASSIVE)
-        return one_by_one(above, sizes.h, sizes.l, sizes.r)
+        bent, along = one_by_one(above, sizes.h, sizes.l, sizes.r)
+        return bent, along
 
     def thick_notches(self, sizes: FilletedSizes) -> Thick | None:
         """Return the factor of its fillets."""

@@ -124,7 +124,9 @@ class EndStress(NamedTuple):
     ``is_at_face`` says that the numbers are the total of that face, in tension or compression;
     formulas give each face by itself. ``reverses`` says that the stroke goes as far either way with
     no load beside it, so that its mean is only the difference of both ways. ``wide`` is what the
-    force along a blade of constant thickness changes of it, where a model knows that.
+    force along a blade of constant thickness changes of it, where a model knows that. ``pulled`` is
+    the most that stretches the section there, of the stroke too, None where only formulas do not
+    bend it, or nobody knows.
     """
 
     where: str
@@ -135,6 +137,7 @@ class EndStress(NamedTuple):
     is_at_face: bool = False
     reverses: bool = False
     wide: WideFactor | None = None
+    pulled: Computed | None = None
 
     @property
     def is_reversed(self) -> bool:
