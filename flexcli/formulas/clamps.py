@@ -103,6 +103,10 @@ SCALED: dict[RootBody, tuple[int, int, int, int]] = {
 }
 """Powers of w that these are times: a fillet on one face alone is a crooked beam."""
 
+LARGEST = 0.03
+"""Least h/r of fillets that were compared on bodies that give way; larger ones do as if rigid at
+least, and at most as these, scaled."""
+
 SHEARS = 1.195
 """Increase of the mixed compliance with ν: the turn of a section that a parabola of shear bends."""
 
@@ -313,10 +317,13 @@ def fillet_compliance(*, h: float, r: float, poisson_ratio: float) -> FilletComp
 
     Returns
     -------
-    turn, mixed, shift, stretch : float
-        Turn per moment where the fillets begin, θ E b h²/M; turn per force across, which raises
-        the moment into the blade, and shift per moment, both E b h; shift per that force and
-        stretch per axial force, both E b [-].
+    turn : float
+        Turn per moment where the fillets begin, θ E b h²/M [-].
+    mixed : float
+        Turn there per force across, which raises the moment into the blade, and shift per
+        moment, times E b h [-].
+    shift, stretch : float
+        Shift per that force and stretch per axial force, times E b [-].
 
     Notes
     -----
@@ -365,7 +372,7 @@ def filleted_root(*, h: float, r: float, poisson_ratio: float, body: RootBody) -
     Returns
     -------
     turn, mixed, shift, stretch : float
-        As of ``fillet-compliance`` [-].
+        Turn, mixed compliance, shift and stretch as of ``fillet-compliance`` [-].
 
     Notes
     -----
@@ -386,7 +393,9 @@ def filleted_root(*, h: float, r: float, poisson_ratio: float, body: RootBody) -
     Fitted here to finite elements of high order for plane bodies: 16 h/r from 0.03 to 300 and 4 ν.
 
     """
-    u, w = _sharpness(h, r)
+    if body == "wide" and h < LARGEST * r:
+        return fillet_compliance(h=h, r=r, poisson_ratio=poisson_ratio)
+    u, w = _sharpness(max(h, LARGEST * r), r)[0], _sharpness(h, r)[1]
     turn, mixed, shift, stretch = (
         _polynomial(row, u) / w**power for row, power in zip(CUT[body], SCALED[body], strict=True)
     )
@@ -445,7 +454,7 @@ _BLADE = {"b": 10e-3, "l": 20e-3, "poisson_ratio": 0.3}
 _ROOT = {"h": 0.2e-3, "b": 10e-3, "poisson_ratio": 0.3, "flush": False}
 _FILLETS = {"h": 0.2e-3, "r": 0.15e-3, "poisson_ratio": 0.3}
 _THIN = (Range("b/h", least=3.0, why="a thick blade is no plate where it is clamped"),)
-_COMPARED = (Range("h/r", least=0.03, why="larger fillets were not compared"),)
+_COMPARED = (Range("h/r", least=LARGEST, why="larger fillets were not compared"),)
 
 CARDS = (
     Card("clamp-stress-pure-bending", pure_bending_peak, _BLADE, _THIN),

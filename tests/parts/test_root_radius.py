@@ -219,6 +219,16 @@ def test_fillets_leave_less_of_a_root_than_sharp_corners():
     assert sharp.least < tiny == pytest.approx(sharp.most, rel=0.02)
 
 
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.49])
+@pytest.mark.parametrize("x", [0.006, 0.02])
+def test_very_large_fillets_on_bodies_are_as_stiff_as_plane_bodies(x, nu):
+    """The elements are of more than a hundred times the thickness."""
+    for body in ((1.0, 2.0), (9.0, 9.0)):
+        true = over_beam(1.0 / x, 6.0, body=body, nu=nu)
+        for told, stiffness in zip(told_stiffness("monolithic", x, 6.0, nu), true[:2], strict=True):
+            assert told.low <= stiffness <= told.high
+
+
 @pytest.mark.parametrize("kind", ["moment-blade", "guided-blade", "cross-spring"])
 def test_what_tiny_fillets_change_of_a_shift_is_what_sharp_roots_do(kind):
     sizes = {"h": "0.1 mm", "l": "10 mm", "b": "300 mm", "clamps": "monolithic"}
