@@ -345,7 +345,9 @@ class Material(Part):
         own = ErrorRange(-off, off) + self._twisting(kind)
         if bent is not None:  # by plates, and no further than by bounds
             off -= self._rough
-            own = ErrorRange(larger(own.low, bent.low - off), smaller(own.high, bent.high + off))
+            ends = larger(own.low, bent.low - off), smaller(own.high, bent.high + off)
+            # of a plate that is isotropic both are as exact as fits are, and may miss each other
+            own = ErrorRange(smaller(*ends), larger(*ends))
         found = error + own + self._drifted(kind)
         return found._replace(low=larger(found.low, -1.0)) if self._held else found
 
