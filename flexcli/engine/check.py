@@ -200,7 +200,7 @@ def told_values(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> di
         text = f"a {design.geometry.name} {error}"
         remedy = "hold or support every body, or lessen the loads of the cases"
         raise NoSolution(f"{joint_model.name}-has-no-answer", text, remedy) from error
-    errors = omitted_effects.errors_of(design, sizes, joint_model, found)
+    errors = omitted_effects.errors_of(design, sizes, joint_model, found, at_rest=True)
     told = design_values.with_errors(found, errors)
     if not design.omitted:
         return told

@@ -508,12 +508,15 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
         if kind is None:
             yield limit
             continue
+        at_rest = error is None  # the joint's own number: what is at a stroke brings its error
         if error is None:
             if kind not in errors:  # one for all places of a stress
                 errors[kind] = ask.joint_model.error(ask, kind)
             error = errors[kind]
         if error is not None:
-            error = ask.doubted(error, kind, in_space=in_space, is_directed=limit.is_directed)
+            error = ask.doubted(
+                error, kind, in_space=in_space, is_directed=limit.is_directed, at_rest=at_rest
+            )
         if error is not None and limit.strengths:
             error = ask.material.weakened(error, limit.strengths)
         yield limit._replace(error=error)

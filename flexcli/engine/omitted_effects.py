@@ -85,17 +85,23 @@ def effects(
 
 
 def errors_of(
-    design: DesignSpec, sizes: Sizes, joint_model: JointModel, values: Mapping[str, Value]
+    design: DesignSpec,
+    sizes: Sizes,
+    joint_model: JointModel,
+    values: Mapping[str, Value],
+    *,
+    at_rest: bool = False,
 ) -> dict[str, float]:
     """Return the estimated error of a model's values by kind, the largest of all cases.
 
-    A kind whose error nobody can estimate is not there.
+    Stiffness and frequency are those ``at_rest``, or may be at a stroke. A kind whose error nobody
+    can estimate is not there.
     """
     asks, found = design.asks(sizes, joint_model), dict[str, float]()
     for kind in dict.fromkeys(value.kind for value in values.values() if value.kind is not None):
         each = [joint_model.error(ask, kind) for ask in asks]
         known = [
-            None if error is None else ask.doubted(error, kind)
+            None if error is None else ask.doubted(error, kind, at_rest=at_rest)
             for ask, error in zip(asks, each, strict=True)
         ]
         if None not in known:

@@ -323,4 +323,5 @@ def _doubted(comparison: Comparison, error: ErrorRange) -> ErrorRange | None:
         and comparison.directs()
         and joint_in_space(ask.geometry, ask.material, ask.sizes).is_directed
     )
-    return ask.doubted(error, comparison.kind, is_directed=directed)
+    at_rest = comparison.kind is QuantityKind.STIFFNESS
+    return ask.doubted(error, comparison.kind, is_directed=directed, at_rest=at_rest)

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 __all__ = [
     "StripConstants",
     "cubic_stiffness",
+    "in_plane_compliance",
     "orthotropic_stiffness",
     "plate_anisotropy",
     "sheared_in_plane",
@@ -23,6 +24,10 @@ FIRST, SECOND = np.array([0, 1, 2, 1, 0, 0]), np.array([0, 1, 2, 2, 2, 1])
 
 VOIGT = np.array([[0, 5, 4], [5, 1, 3], [4, 3, 2]])
 """Where two axes stand in it."""
+
+
+PLANE = np.array([0, 2, 4])
+"""Where the plane of a strip's faces stands in it: 11, 33 and 13."""
 
 
 class StripConstants(NamedTuple):
@@ -174,8 +179,7 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
     def coupled(i: int, k: int) -> float:
         return float(S[i, k] ** 2 / (S[i, i] * S[k, k]))
 
-    plane = np.array([0, 2, 4])
-    wide = np.linalg.inv(S[plane[:, None], plane])[0, 0] * S[0, 0]
+    wide = np.linalg.inv(S[PLANE[:, None], PLANE])[0, 0] * S[0, 0]
     plate = 1.0 / (1.0 - coupled(0, 2))
     return StripConstants(
         E=float(E),
@@ -214,6 +218,25 @@ def turned_stiffness(C: ArrayLike, axes: ArrayLike) -> Floats:
     turned = np.einsum("im,jn,ko,lp,mnop->ijkl", a, a, a, a, whole)
     found: Floats = turned[FIRST[:, None], SECOND[:, None], FIRST, SECOND]
     return found
+
+
+def in_plane_compliance(C: ArrayLike, axes: ArrayLike) -> Floats:
+    """Return the compliance (3, 3) of a strip in the plane of its faces [1/Pa].
+
+    That of plane stress: rows and columns 11, 33 and 13 of the inverse of ``turned_stiffness``.
+
+    Parameters
+    ----------
+    C, axes : array_like
+        As of :func:`strip_constants`.
+
+    References
+    ----------
+    Lekhnitskii (1968), Anisotropic Plates.
+
+    """
+    S = np.linalg.inv(turned_stiffness(C, axes))
+    return np.asarray(S[PLANE[:, None], PLANE])
 
 
 def sheared_in_plane(strip: StripConstants) -> tuple[float, float]:

@@ -12,6 +12,7 @@ from pydantic import model_validator
 from flexcli.formulas.anisotropy import (
     StripConstants,
     cubic_stiffness,
+    in_plane_compliance,
     orthotropic_stiffness,
     plate_anisotropy,
     sheared_in_plane,
@@ -20,6 +21,7 @@ from flexcli.formulas.anisotropy import (
 )
 from flexcli.formulas.card import outside
 from flexcli.formulas.clamped_blade import NARROWER, Across
+from flexcli.formulas.directed_plates import is_compared
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceLayout, SpaceRod
 from flexcli.numerics.rows import Number, larger, of_each
@@ -145,6 +147,8 @@ class Blades(NamedTuple):
     ``thick`` are further errors over (h/l)² and over h/l; ``skewed`` is by how much a shear stress
     stretches a blade, over what as much along it does. Where clamps keep blades from twisting they
     are as much as ``held`` stiffer, and their stress is as much as ``stressed`` higher [-].
+    ``planes`` are the compliances (3, 3) of blades in the plane of their faces, along, across and
+    of shear [1/Pa]: of each direction, and of none where they were not compared with solids.
     """
 
     E: float
@@ -156,6 +160,7 @@ class Blades(NamedTuple):
     skewed: float
     held: float
     stressed: float
+    planes: tuple[Floats, ...] = ()
 
 
 def blades_of(
@@ -169,7 +174,8 @@ def blades_of(
     """
     if orientation is not None and orientation.width == "in-plane":
         angles = [0.0]
-    each = [strip_of(sheet, orientation, angle) for angle in dict.fromkeys(angles) or [0.0]]
+    angles = tuple(dict.fromkeys(angles)) or (0.0,)
+    each = [strip_of(sheet, orientation, angle) for angle in angles]
     moduli = [strip.E for strip in each]
     E = (min(moduli) + max(moduli)) / 2.0
     first = max(each, key=lambda strip: abs(strip.nu))
@@ -182,8 +188,12 @@ def blades_of(
     skewed = max(sqrt(strip.skews * strip.E / strip.G_thin) for strip in each)
     held = max(s.held for s in each)
     stressed = max((1.0 + s.held) * sqrt(1.0 + 3.0 * s.sheared_held**2) for s in each) - 1.0
+    planes = tuple[Floats, ...]()
+    if uneven <= ALIKE and all(map(is_compared, each)):
+        C = sheet.stiffness()
+        planes = tuple(in_plane_compliance(C, _axes(sheet, orientation, a)) for a in angles)
     return Blades(
-        E, first.nu, uneven + rough, sheared, uneven > ALIKE, thick, skewed, held, stressed
+        E, first.nu, uneven + rough, sheared, uneven > ALIKE, thick, skewed, held, stressed, planes
     )
 
 

@@ -12,7 +12,7 @@ from flexcli.formulas.fatigue import (
     fully_reversed_amplitude,
     swt_reversed_amplitude,
 )
-from flexcli.numerics.rows import Number, larger, number
+from flexcli.numerics.rows import Number, larger, number, smaller
 from flexcli.parts.base import (
     Density,
     Expansion,
@@ -43,11 +43,15 @@ else:
     SNCurve = Annotated[Any, Named("flexcli.parts.fatigue_strength:SNCurve")]
     OverTemperature = Annotated[Any, Named("flexcli.parts.over_temperature:OverTemperature")]
 
-__all__ = ["STRENGTHS", "WARM", "Material", "MissingProperty"]
+__all__ = ["STRENGTHS", "UNSEEN", "WARM", "Material", "MissingProperty"]
 
 BUCKLED, STRETCHED = 4.0, 20.0
 """By how much more shear takes of a critical force than of a stiffness, π²/3 at most; and how far a
 force across moves a body along, over (h/l)², the travel over l and a shift, 1.7 of a guided one."""
+
+UNSEEN = 0.3
+"""Part of what thick blades are off that is added where plates tell the rest: with a tenth of it,
+solids had up to 0.95 of what was left."""
 
 OUT_OF_PLANE = (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
 """Kinds of numbers that depend on torsion and shear of the blades, whatever the joint."""
@@ -157,6 +161,7 @@ class Material(Part):
     _skewed: float = PrivateAttr(0.0)
     _held: float = PrivateAttr(0.0)
     _stressed: float = PrivateAttr(0.0)
+    _planes: "tuple[NDArray[np.float64], ...]" = PrivateAttr(())
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -262,6 +267,7 @@ class Material(Part):
         found._is_uneven = blades.uneven
         found._thick, found._skewed = blades.thick, blades.skewed
         found._held, found._stressed = blades.held, blades.stressed
+        found._planes = blades.planes
         return found
 
     @property
@@ -317,6 +323,7 @@ class Material(Part):
         in_space: bool = False,
         is_directed: bool = False,
         thick: Number = 0.0,
+        bent: ErrorRange | None = None,
     ) -> ErrorRange | None:
         """Return an error of a number of a kind, widened by the uncertainty of the moduli.
 
@@ -326,7 +333,7 @@ class Material(Part):
         unknown amount.
         Those that would twist as they bend, which their clamps may keep them from, are from as soft
         as their moduli say to as stiff as if they were held. ``thick`` is what
-        :meth:`off_as_thick` tells.
+        :meth:`off_as_thick` tells, ``bent`` what plates of its planes tell instead, if they do.
         """
         if self.is_uneven and kind is QuantityKind.SHIFT:
             return None
@@ -335,7 +342,13 @@ class Material(Part):
             off -= self._differ
         if not is_directed and (in_space or kind in OUT_OF_PLANE):
             off += self._sheared
-        found = error + ErrorRange(-off, off) + self._twisting(kind) + self._drifted(kind)
+        own = ErrorRange(-off, off) + self._twisting(kind)
+        if bent is not None:  # by plates, and no further than by bounds
+            off -= self._rough
+            ends = larger(own.low, bent.low - off), smaller(own.high, bent.high + off)
+            # of a plate that is isotropic both are as exact as fits are, and may miss each other
+            own = ErrorRange(smaller(*ends), larger(*ends))
+        found = error + own + self._drifted(kind)
         return found._replace(low=larger(found.low, -1.0)) if self._held else found
 
     def _twisting(self, kind: QuantityKind | None) -> ErrorRange:
@@ -387,6 +400,16 @@ class Material(Part):
     def is_uneven(self) -> bool:
         """Return whether blades differ in stiffness from each other, by what ``spread`` says."""
         return self._is_uneven
+
+    @property
+    def planes(self) -> "tuple[NDArray[np.float64], ...]":
+        """Return compliances (3, 3) of blades in the plane of their faces, see ``Blades``."""
+        return self._planes
+
+    @property
+    def bounds(self) -> ErrorRange:
+        """Return what a stiffness is off at most by the anisotropy of plates and sheets."""
+        return ErrorRange(-self._rough, self._rough + self._held)
 
     @property
     def expands(self) -> bool:

@@ -4,7 +4,7 @@ import pytest
 
 import flexcli
 from flexcli.errors import SpecError
-from flexcli.results import Verdict
+from flexcli.results import EXACT, ErrorRange, QuantityKind, Verdict
 
 STAGE = "{kind: leaf-spring-stage, h: 0.05 mm, l: 10 mm, b: 0.5 mm, spacing: 10 mm, blades: 2}"
 PIVOT = "{kind: rcc, p: 2 mm, half_angle: 45 deg, h: 0.05 mm, l: 5 mm, b: 0.5 mm}"
@@ -108,7 +108,9 @@ def test_blades_that_differ_widen_the_error_by_as_much():
         for turned in (0, 22.5)
     )
     widths = [(c[0].factor_range[1] - c[0].factor_range[0]) / c[0].factor for c in (even, uneven)]
-    assert widths[1] - widths[0] == pytest.approx((169.0 - 130.0) / 150.0, rel=0.1)
+    # plates of blades that differ are as unsure as of any anisotropy, beside their moduli
+    assert widths[0] < 0.02
+    assert (169.0 - 130.0) / 150.0 < widths[1] < 0.4
     # what the two do to the centre between them is told by no one modulus
     assert even[1].verdict is Verdict.PASS
     assert uneven[1].verdict is Verdict.UNDECIDED
@@ -221,3 +223,60 @@ def test_blades_of_a_111_wafer_are_as_stiff_as_those_of_solids(b, half_angle, st
     asked = "stiffness: {min: 1 N*m/rad}"
     low, high = stiffness_range(check(silicon, geometry, "rotation: 1 mrad", asked))
     assert low <= stiffness <= high < 1.05 * low
+
+
+NARROW = "{kind: leaf-spring-stage, h: 0.05 mm, l: 10 mm, b: 0.5 mm, spacing: 10 mm, blades: 2}"
+
+
+@pytest.mark.parametrize(("turned", "solid"), [(0, 21.390), (20, 19.016)])
+def test_a_stage_of_narrow_blades_of_silicon_is_told_to_half_a_percent(turned, solid):
+    """CalculiX (C3D20R, two meshes): one was told to 3.2 %, as unsure as a wide plate."""
+    low, high = stiffness_range(
+        check(f"{{extends: silicon, orientation: {{turned: {turned} deg}}}}", NARROW)
+    )
+    assert low <= solid <= high < 1.005 * low
+
+
+def test_a_stiffness_close_to_what_is_asked_is_decided():
+    """It is 2 % above the bound, and was undecided by ±3.2 %."""
+    (row, *_) = check(
+        "{extends: silicon}", NARROW, requirements="stiffness: {min: 20.95 N/m}"
+    ).checks
+    assert row.verdict is Verdict.PASS
+    (row, *_) = check(
+        "{extends: silicon}", NARROW, requirements="stiffness: {min: 21.8 N/m}"
+    ).checks
+    assert row.verdict is Verdict.FAIL
+
+
+@pytest.mark.parametrize(
+    ("material", "geometry", "stroke"),
+    [
+        ("{extends: silicon}", NARROW.replace("h: 0.05 mm", "h: 0.7 mm").replace("0.5", "2"), ""),
+        ("{extends: silicon}", NARROW.replace("b: 0.5 mm", "b: 21 mm"), ""),
+        (
+            "{extends: silicon}",
+            NARROW,
+            "translation: 0.1 mm}, load: {force: 1 mN, direction: 180 deg",
+        ),
+        (ASKEW.format(turned=30), NARROW, ""),
+    ],
+)
+def test_what_was_not_compared_with_solids_keeps_the_bounds(material, geometry, stroke):
+    """Thick or very wide blades, loads beside, and sheets that twist as much as they bend."""
+    found = check(material, geometry, stroke or "translation: 1 um")
+    low, high = stiffness_range(found)
+    assert high / low > 1.06
+
+
+def test_plates_that_are_isotropic_in_their_plane_have_no_range_the_wrong_way_round():
+    """Of thinned {111} wafers fits of the isotropic factors are further off than all else."""
+    silicon = '{extends: silicon, orientation: {wafer: "111", width: in-plane}}'
+    spec = SPEC.format(
+        material=silicon, geometry=NARROW, stroke="translation: 1 um",
+        requirements="stiffness: {min: 1 N/m}",
+    )  # fmt: skip
+    plates = ErrorRange(4e-4, 6e-4)
+    material = flexcli.load(spec).part.material
+    low, high = material.doubted(EXACT, QuantityKind.STIFFNESS, bent=plates)
+    assert low <= high

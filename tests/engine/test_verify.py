@@ -410,3 +410,40 @@ def test_the_stress_of_blades_shorter_than_four_thicknesses_is_not_compared():
         "{kind: guided-blade, h: 3 mm, l: 10 mm, b: 3 mm}", SMALL_SHIFT, nu=0.3, only=("sigma",)
     )
     assert "too short" in found["sigma"].why
+
+
+ASKEW = """\
+flexure: 1
+material:
+  extends: silicon
+  orientation: {{wafer: "{wafer}", turned: {turned} deg, width: {width}}}
+geometry: {geometry}
+cases: {{a: {{stroke: {{{stroke}}}}}}}
+requirements: {{stiffness: {{min: 1 {unit}}}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("wafer", "turned", "width", "geometry", "stroke", "unit", "most"),
+    [
+        ("111", 10, "normal", "{kind: cantilever, h: 0.3 mm, l: 10 mm, b: 2 mm}",
+         "translation: 1 um", "N/m", 0.02),
+        ("100", 30, "in-plane",
+         "{kind: leaf-spring-stage, h: 0.3 mm, l: 10 mm, b: 2 mm, spacing: 10 mm, blades: 2}",
+         "translation: 1 um", "N/m", 0.02),
+        ("111", 25, "normal",
+         "{kind: rcc, h: 0.2 mm, l: 10 mm, b: 3 mm, p: 2 mm, half_angle: 40 deg}",
+         "rotation: 1 mrad", "N*m/rad", 0.025),
+    ],
+)  # fmt: skip
+def test_solids_of_blades_that_twist_as_they_bend_are_within_what_plates_tell(
+    wafer, turned, width, geometry, stroke, unit, most
+):
+    spec = ASKEW.format(
+        wafer=wafer, turned=turned, width=width, geometry=geometry, stroke=stroke, unit=unit
+    )
+    (number, *_) = flexcli.verify(spec).verification.numbers
+    low, high = next(row.factor_range for row in flexcli.check(spec).checks if row.kind)
+    assert high / low < 1.0 + most
+    assert low * (1.0 - MESH) <= number.solid <= high * (1.0 + MESH)
+    assert number.agrees

@@ -44,7 +44,8 @@ class Comparison(NamedTuple):
     case: str = ""
     share: Callable[[], float] = lambda: 1.0
     kind: QuantityKind | None = None
-    """Kind of a shift or support, whose error a directed material widens in its own way."""
+    """Kind of a shift, a support or the stiffness at rest, whose error a directed material widens
+    in its own way."""
     on_demand: bool = False
     """Whether it takes so long that it is only compared where somebody asks for it."""
     of_less: float = 1.0
@@ -73,6 +74,7 @@ def comparisons(asks: list[CaseAsks], at_stroke: bool) -> Iterator[Comparison]:
         "k_pivot" if turns else "k_stage", "stiffness at rest", unit, first,
         lambda: model.of(first, QuantityKind.STIFFNESS, first.joint_model.stiffness(first)),
         lambda solid: solid.stiffness(), "rest", f"{effort} on the moving body over its motion",
+        kind=QuantityKind.STIFFNESS,
     )  # fmt: skip
     yield from _supports(first)
     if _has_mass(first):

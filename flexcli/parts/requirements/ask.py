@@ -6,11 +6,11 @@ from math import pi
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import Number, larger
+from flexcli.numerics.rows import Number, larger, number
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
-from flexcli.parts.material import Material
+from flexcli.parts.material import UNSEEN, Material
 from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.scene import WARM, Scene
 from flexcli.results import ErrorRange, QuantityKind
@@ -212,17 +212,38 @@ class Ask(NamedTuple):
         *,
         in_space: bool = False,
         is_directed: bool = False,
+        at_rest: bool = False,
     ) -> ErrorRange | None:
-        """Return an error of a number of a kind with what its material leaves unsure."""
+        """Return an error of a number of a kind with what its material leaves unsure.
+
+        ``at_rest`` it is the stiffness of the joint's own small motion, or of that alone.
+        """
         thick: Number = 0.0
+        bent = None
         if self.material.is_directed and not self.geometry.in_space:
             layout = self.geometry.blades_layout(self.material.elastic, self.sizes)
             travel = larger(map(abs, self.scene.stroke_ends)) if self.scene.moves else 0.0
             turns = self.geometry.motion == "rotation"
             thick = self.material.off_as_thick(kind, layout, travel, turns=turns)
+            if at_rest and not in_space and self._bends_as_drawn:
+                from flexcli.parts.directed_joint import bent_as_plates
+
+                bent = bent_as_plates(self.material, kind, layout, self.geometry.held(1.0))
+            if bent is not None:
+                thick += UNSEEN * thick
         return self.material.doubted(
-            error, kind, in_space=in_space, is_directed=is_directed, thick=thick
+            error, kind, in_space=in_space, is_directed=is_directed, thick=thick, bent=bent
         )
+
+    @property
+    def _bends_as_drawn(self) -> bool:
+        """Return whether nothing but its blades between rigid clamps bends, unloaded and unheated.
+
+        What strains a joint changes its stiffness as much however stiff its blades are.
+        """
+        scene = self.scene
+        plain = not scene.is_loaded and scene.temperature is None
+        return plain and not self.clamp_softening and not number(self.geometry.fillet(self.sizes))
 
 
 class JointModel(ABC):
