@@ -40,7 +40,7 @@ from flexcli.mechanics.space.exact.support import support_compliance, vibration
 from flexcli.mechanics.space.inertia import blade_masses
 from flexcli.mechanics.space.states import Acting, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.own_motion import first_taking
 from flexcli.parts.requirements import (
     Ask,
@@ -316,10 +316,28 @@ class SpaceExactModel(SpaceLinearModel):
             try:
                 ends = self._ends(ask, loads)
             except (NotAvailable, SolveError):
-                # each requirement of a case asks: the path of its loads is walked once
-                self._stands.of(f"{signs}", ask, partial(may_stand, ask, self.blades, loads))
+                self._prove_buckled(ask, signs)
                 raise
             yield ends
+
+    def _prove_buckled(self, ask: Ask, signs: tuple[float, ...]) -> None:
+        """Raise :class:`Buckled` where loads of these signs do, at the least share of any sense.
+
+        Each requirement of a case asks: the path of its loads is walked once.
+        """
+        each = {other: partial(may_stand, ask, self.blades, loads) for other, loads in _senses(ask)}
+        try:
+            self._stands.of(f"{signs}", ask, each.pop(signs))
+        except Buckled as first:
+            found = [first]
+            for other, stands in each.items():
+                try:
+                    self._stands.of(f"{other}", ask, stands)
+                except Buckled as buckled:
+                    found.append(buckled)
+                except NotAvailable:
+                    continue
+            raise min(found, key=lambda buckled: buckled.share) from first
 
     def _bends(self, ask: Ask) -> Iterator[float]:
         """Yield, sense by sense of the loads, what these, heat and stroke bend of the stress."""
