@@ -6,6 +6,7 @@ reaches across the required one, the next model is asked, so that a wide margin 
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from functools import partial
 from math import inf, isfinite, isnan, nan
 from time import perf_counter
 from typing import NamedTuple
@@ -508,18 +509,27 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
         if kind is None:
             yield limit
             continue
-        at_rest = error is None  # the joint's own number: what is at a stroke brings its error
+        is_at_rest = error is None  # the joint's own number: what is at a stroke brings its error
         if error is None:
             if kind not in errors:  # one for all places of a stress
                 errors[kind] = ask.joint_model.error(ask, kind)
             error = errors[kind]
         if error is not None:
-            error = ask.doubted(
-                error, kind, in_space=in_space, is_directed=limit.is_directed, at_rest=at_rest
+            doubted = partial(
+                ask.doubted, error, kind, in_space=in_space, is_directed=limit.is_directed
             )
+            error = doubted()
+            # plates of crystals take their time: where their bounds decide nobody needs them
+            if is_at_rest and ask.material.planes and _is_open(limit._replace(error=error)):
+                error = doubted(at_rest=True)
         if error is not None and limit.strengths:
             error = ask.material.weakened(error, limit.strengths)
         yield limit._replace(error=error)
+
+
+def _is_open(limit: Limit) -> bool:
+    """Return whether the error of a limit leaves it undecided."""
+    return assess.verdict(assess.span(limit), assess.required(limit)) is Verdict.UNDECIDED
 
 
 def _no_answer(
