@@ -130,7 +130,10 @@ class StrokeEnd(NamedTuple):
         grown = np.concatenate([self.growth * np.asarray(point), np.zeros(3)])
         one, two = rows @ (to @ self.first + grown), rows @ (to @ self.second + arc)
         besides = self.floor[0] if np.any(rows[:, :3]) else self.floor[1]
-        return one + two, self.doubt * (np.abs(one) + np.abs(two)) + besides
+        sizes = np.abs(one) + np.abs(two)
+        # what nobody knows is no less unknown of what does not move
+        off = self.doubt * sizes if isfinite(self.doubt) else np.full_like(sizes, inf)
+        return one + two, off + besides
 
 
 class Place(NamedTuple):
