@@ -68,7 +68,9 @@ def greatest(
         peak = np.argmax(y, axis=1)
         rows = np.arange(peak.size)
         left, right = np.maximum(peak - 1, 0), np.minimum(peak + 1, _PIECES)
-        spread = y[rows, peak] - np.minimum(y[rows, left], y[rows, right])
+        # at an end both points of a bracket may lie as high on either side of what is between
+        beside = np.where(peak == 0, 2, right), np.where(peak == _PIECES, _PIECES - 2, left)
+        spread = y[rows, peak] - np.minimum(*(y[rows, each] for each in beside))
         # what is left to gain in a bracket is less than its spread
         alive = (spread > TOLERANCE * found[0]) & (y[rows, peak] + spread > found[0])
         low, high, on = x[rows, left][alive], x[rows, right][alive], on[alive]

@@ -190,3 +190,12 @@ def test_an_overdamped_oscillator_is_felt_most_beyond_the_band():
     beyond = oscillator_response([500, 2000], [0.01, 1.0], [2000, most.frequency, 1e5], 0.5)
     at_edge, there, far = beyond.absolute_acceleration
     assert there > max(at_edge, far)
+
+
+def test_a_maximum_between_two_points_as_high_is_found():
+    """The coarse grid of 1 to 2.39 Hz has one just beyond it, and the next far before."""
+    f, g = np.array([1.0, 2.390625]), np.array([2.390625, 46.25])
+    scan = np.linspace(1.26, 1.27, 1001)
+    exact = oscillator_response(f, g, scan, 30.0).absolute_acceleration
+    ratio = exact / miles(scan, 30.0, spectral_level(scan, f, g, side="left"))
+    assert spectrum(f, g, 30.0).shortfall().excess == pytest.approx(ratio.max() - 1.0, abs=1e-9)
