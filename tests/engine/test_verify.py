@@ -26,7 +26,7 @@ geometry: {geometry}
 {mechanism}
 cases:
   a: {case}
-requirements: {{stiffness: {{min: 1 {unit}}}}}
+requirements: {{stiffness: {{min: {least} {unit}}}}}
 """
 
 MESH = 1e-3
@@ -373,7 +373,7 @@ material:
   orthotropic: {{E_1: 140 GPa, E_2: 60 GPa, G_12: 20 GPa, nu_12: 0.3}}
   orientation: {{turned: {turned} deg}}
 geometry: {geometry}
-requirements: {{stiffness: {{min: 1 {unit}}}}}
+requirements: {{stiffness: {{min: {least} {unit}}}}}
 """
 
 
@@ -419,7 +419,7 @@ material:
   orientation: {{wafer: "{wafer}", turned: {turned} deg, width: {width}}}
 geometry: {geometry}
 cases: {{a: {{stroke: {{{stroke}}}}}}}
-requirements: {{stiffness: {{min: 1 {unit}}}}}
+requirements: {{stiffness: {{min: {least} {unit}}}}}
 """
 
 
@@ -439,11 +439,12 @@ requirements: {{stiffness: {{min: 1 {unit}}}}}
 def test_solids_of_blades_that_twist_as_they_bend_are_within_what_plates_tell(
     wafer, turned, width, geometry, stroke, unit, most
 ):
-    spec = ASKEW.format(
-        wafer=wafer, turned=turned, width=width, geometry=geometry, stroke=stroke, unit=unit
-    )
-    (number, *_) = flexcli.verify(spec).verification.numbers
-    low, high = next(row.factor_range for row in flexcli.check(spec).checks if row.kind)
+    words = {"wafer": wafer, "turned": turned, "width": width, "geometry": geometry,
+             "stroke": stroke, "unit": unit}  # fmt: skip
+    (number, *_) = flexcli.verify(ASKEW.format(**words, least=1)).verification.numbers
+    # plates are asked near what is required alone
+    checked = flexcli.check(ASKEW.format(**words, least=number.solid))
+    low, high = next(row.factor_range for row in checked.checks if row.kind)
     assert high / low < 1.0 + most
-    assert low * (1.0 - MESH) <= number.solid <= high * (1.0 + MESH)
+    assert low * (1.0 - MESH) <= 1.0 <= high * (1.0 + MESH)
     assert number.agrees
