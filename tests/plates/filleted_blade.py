@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial import legendre
+from plates.line_elements import line_element
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 
@@ -132,11 +133,7 @@ def _graded(length, first, ratio):
 
 def _assembled(maps, nu):
     p = DEGREE
-    nodes = np.concatenate([[-1], legendre.legroots(legendre.legder([0] * p + [1])), [1]])
-    to_legendre = np.linalg.inv(legendre.legvander(nodes, p))
-    g, w = legendre.leggauss(p + 2)
-    N = legendre.legvander(g, p) @ to_legendre
-    D = np.transpose([legendre.legval(g, legendre.legder(c)) for c in np.eye(p + 1)]) @ to_legendre
+    nodes, _, w, N, D = line_element(p)
     along, up = (
         np.einsum("ai,bj->abij", *pair).reshape((p + 2) ** 2, -1) for pair in ((D, N), (N, D))
     )

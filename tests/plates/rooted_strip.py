@@ -7,7 +7,7 @@ corners at the root. The body is held at its back. Shares no code with the packa
 from functools import cache
 
 import numpy as np
-from numpy.polynomial import legendre
+from plates.line_elements import line_element
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 
@@ -60,11 +60,7 @@ def _graded(start, end, *, left=False, right=False):
 
 def _solved(x, y, in_blade, in_body, nu):
     p = DEGREE
-    t = np.concatenate([[-1], legendre.legroots(legendre.legder([0] * p + [1])), [1]])
-    to_legendre = np.linalg.inv(legendre.legvander(t, p))
-    g, w = legendre.leggauss(p + 2)
-    N = legendre.legvander(g, p) @ to_legendre
-    D = np.transpose([legendre.legval(g, legendre.legder(c)) for c in np.eye(p + 1)]) @ to_legendre
+    _, g, w, N, D = line_element(p)
     mass, stiff, mixed = N.T @ (w[:, None] * N), D.T @ (w[:, None] * D), D.T @ (w[:, None] * N)
 
     def plane(one, other):
