@@ -1,11 +1,13 @@
 """Blades so narrow that loads in the plane of their joint may buckle it out of it."""
 
 import numpy as np
+from numpy.typing import NDArray
 
+from flexcli.mechanics.layout import Blade
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
 
-__all__ = ["may_leave_plane"]
+__all__ = ["least_thickness", "may_leave_plane"]
 
 NARROW = 10.0
 """Width of a blade over its least thickness up to which it may leave the plane before it buckles in
@@ -22,9 +24,11 @@ def may_leave_plane(ask: Ask) -> bool:
         blades = ask.geometry.plane_layout(ask.material.elastic, ask.sizes).blades
     except NotAvailable:
         return False
-    for blade in blades:
-        l = np.hypot(*np.subtract(blade.end, blade.start))
-        thickness = [np.min(piece.thickness(PLACES), axis=-1) for piece in blade.profile.pieces(l)]
-        if np.any(np.asarray(blade.b) < NARROW * np.min(thickness, axis=0)):
-            return True
-    return False
+    return any(np.any(np.asarray(x.b) < NARROW * least_thickness(x)) for x in blades)
+
+
+def least_thickness(blade: Blade) -> NDArray[np.float64]:
+    """Return the least thickness of a blade, or of each of many designs of it [m]."""
+    l = np.hypot(*np.subtract(blade.end, blade.start))
+    each = [np.min(piece.thickness(PLACES), axis=-1) for piece in blade.profile.pieces(l)]
+    return np.asarray(np.min(each, axis=0))

@@ -164,6 +164,11 @@ class Scene(NamedTuple):
         return free and not self.across_by and self.blade_force > 0.0
 
     @property
+    def has_one_sense(self) -> bool:
+        """Return whether what it states acts in that sense alone; a wrench acts either way."""
+        return self.directed and self.wrench is None
+
+    @property
     def moves(self) -> bool:
         """Return whether the case has a stroke."""
         return bool(self.travel > 0.0 or self.mean_travel > 0.0)

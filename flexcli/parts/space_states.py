@@ -258,7 +258,9 @@ def moved_by_moduli(joint: SpaceJoint, scene: Scene, material: Material, turn: f
         return np.zeros(6)
     of = joint.layout, material, turn
     known, unsure = (list(d.values()) for d in (temperature.stiffer(*of), temperature.unlike(*of)))
-    changes = [np.array(known) - 1.0, *np.diag(unsure)]
+    changes = [each for each in (np.array(known) - 1.0, *np.diag(unsure)) if each.any()]
+    if not changes:
+        return np.zeros(6)
     travels = np.array(scene.stroke_ends) if scene.moves else None
     misfits = assembly.growth()[:, None] * np.ones(1 if travels is None else len(travels))
 
@@ -266,12 +268,12 @@ def moved_by_moduli(joint: SpaceJoint, scene: Scene, material: Material, turn: f
         to_point = springs.motion(drive.body, drive.point)
         return np.asarray(to_point @ springs.moved(misfits=misfits, travel=travels).coordinates)
 
-    found = np.zeros((6, misfits.shape[1]))
+    alike = moved(assembly)
+    found = np.zeros_like(alike)
     for change in changes:
-        if change.any():
-            factors = np.ones(len(assembly.rows))
-            factors[: 6 * len(change)] += np.repeat(change, 6)
-            found += np.abs(moved(assembly.scaled(factors)) - moved(assembly))
+        factors = np.ones(len(assembly.rows))
+        factors[: 6 * len(change)] += np.repeat(change, 6)
+        found += np.abs(moved(assembly.scaled(factors)) - alike)
     return np.asarray((TWOFOLD if scene.moves else 1.0) * found.max(axis=1))
 
 

@@ -84,7 +84,7 @@ def either_way(scene: Scene) -> Scene:
 
     A wrench acts either way, and so does a directed load beside it in one with it.
     """
-    return scene._replace(directed=scene.directed and scene.wrench is None)
+    return scene._replace(directed=scene.has_one_sense)
 
 
 def changed_beside(

@@ -66,7 +66,7 @@ class CorrectedStress:
             return larger(bent, along)
         stretches = (larger(number(abs(s.axial)), number(abs(s.pulled or 0.0))) for s in found)
         largest = larger(LEAST_STRESS, *(number(abs(s.largest)) for s in found))
-        share = smaller(1.0, larger(0.0, *map(number, stretches)) / largest)
+        share = smaller(1.0, larger(0.0, *stretches) / largest)
         return bent + larger(along - bent, 0.0) * share
 
     def _of_push(self, ask: Ask) -> tuple[Number, Number]:

@@ -4,16 +4,15 @@ import numpy as np
 
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import layout_of
+from flexcli.engine.narrow_blades import least_thickness
 from flexcli.mechanics.layout import Blade
+from flexcli.mechanics.mesh import single
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements import Ask
 
 __all__ = ["least_stress"]
-
-PLACES = np.linspace(-1.0, 1.0, 41)
-"""Where on a piece of a blade its thickness is looked at."""
 
 
 def least_stress(ask: Ask) -> float:
@@ -50,6 +49,4 @@ def least_stress(ask: Ask) -> float:
 
 def _area(blade: Blade) -> float:
     """Return the least area of a blade's sections [m²]."""
-    l = float(np.hypot(*np.subtract(blade.end, blade.start)))
-    each = (np.min(piece.thickness(PLACES)) for piece in blade.profile.pieces(l))
-    return float(blade.b) * float(min(each))
+    return float(blade.b) * single(least_thickness(blade))

@@ -138,7 +138,7 @@ def _signs(scene: Scene) -> Floats:
         any(wrench[i] for i in IN_PLANE) or any(field[:2])
         for wrench, field in zip((scene.stated, *scene.inertial), fields, strict=True)
     ]
-    acts[0] = acts[0] and not (scene.directed and scene.wrench is None)
+    acts[0] = acts[0] and not scene.has_one_sense
     return np.array(list(product(*((1.0, -1.0) if on else (1.0,) for on in acts))))
 
 
@@ -425,7 +425,7 @@ def _prove_buckled(
 ) -> None:
     """Raise :class:`Buckled` where any of several states loses its stability as its loads grow.
 
-    Where none of straight blades that buckle does, those that straight blades bear are tried.
+    States whose loads straight blades bear without end are tried only where no other buckles.
     """
     one_alone()
     states = list[tuple[Held, list[Load]]]()

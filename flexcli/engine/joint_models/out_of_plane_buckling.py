@@ -5,7 +5,6 @@ it under loads that the plane bears; how much stress they have in it then says n
 """
 
 from collections.abc import Iterator
-from math import inf
 
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.holds import FREE, hold_of
@@ -20,7 +19,6 @@ from flexcli.parts.requirements import Ask, CriticalShare
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import acting_groups, senses
-from flexcli.results import ErrorRange
 
 __all__ = ["out_of_plane_share"]
 
@@ -36,14 +34,12 @@ hinges lie farthest off."""
 ENOUGH = 1.5
 """Factor on its loads up to which exact beams are followed: what stands there stands."""
 
-UNKNOWN = ErrorRange(-1.0, inf)
-
 
 def out_of_plane_share(ask: Ask) -> CriticalShare | None:
     """Return the least share of a case's loads that buckles a joint in space, if it may be one.
 
     It is nothing where the joint surely stands; where no model can follow the loads its error is
-    without end. The drive is locked at its stroke, or free without one.
+    unknown. The drive is locked at its stroke, or free without one.
     """
     if not _is_free(ask.scene) or ask.geometry.is_guided:
         return None
@@ -61,7 +57,7 @@ def _is_free(scene: Scene) -> bool:
 def _either_way(scene: Scene) -> Iterator[Scene]:
     """Yield a case with what is stated of its loads in the senses in which stress takes it."""
     yield scene
-    if any(scene.stated) and not (scene.directed and scene.wrench is None):
+    if any(scene.stated) and not scene.has_one_sense:
         x, y, z, about_x, about_y, about_z = scene.stated
         yield scene._replace(stated=(-x, -y, -z, -about_x, -about_y, -about_z))
 
@@ -88,7 +84,7 @@ def _least(ask: Ask, scene: Scene) -> CriticalShare | None:
             if each.error is None or each.share * (1.0 + each.error.low) < 1.0
         ]
     except (NotAvailable, SolveError):
-        return CriticalShare(straight, scene.hold, UNKNOWN)
+        return CriticalShare(straight, scene.hold, None)
     return min(found, key=lambda each: each.share, default=None)
 
 

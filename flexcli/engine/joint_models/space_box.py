@@ -158,7 +158,7 @@ def _stacked(sweeps: Sequence[Sweep]) -> Sweep:
 
 def _senses(joint: SpaceJoint, scene: Scene) -> Iterator[tuple[float, ...]]:
     """Yield the senses in which the loads of a case act, a directed one in its own alone."""
-    own = (1.0,) if scene.directed and any(scene.stated) and scene.wrench is None else (1.0, -1.0)
+    own = (1.0,) if scene.has_one_sense and any(scene.stated) else (1.0, -1.0)
     groups = acting_groups(joint, scene)
     first = any(scene.stated)
     return product(*(own if first and k == 0 else (1.0, -1.0) for k in range(len(groups))))
