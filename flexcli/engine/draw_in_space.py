@@ -20,7 +20,7 @@ from flexcli.engine.drawn_layout import (
     place_of,
     turning,
 )
-from flexcli.engine.joint_models.space_exact import section_peaks
+from flexcli.engine.joint_models.beam_peaks import section_peaks
 from flexcli.engine.joint_models.space_stroke import at_travel
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant, Profile

@@ -5,7 +5,7 @@ small motion is told by its second order; where that is not small beside the fir
 unknown.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 from math import inf, isfinite
@@ -28,13 +28,14 @@ from flexcli.mechanics.space.states import (
     warmed,
 )
 from flexcli.mechanics.space.stresses import equivalent, hinge_error, hinge_range
+from flexcli.mechanics.space.warping_error import warping_error
 from flexcli.parts.material import Material
 from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.temperature import alike, held_lengths
 from flexcli.parts.worst_places import worst_places
-from flexcli.results import ErrorRange
+from flexcli.results import EXACT, ErrorRange
 
 __all__ = [
     "KNOWN",
@@ -43,7 +44,6 @@ __all__ = [
     "THIRD",
     "TURNS",
     "UNEVEN",
-    "WARPING_ERROR",
     "Place",
     "StrokeEnd",
     "acting_groups",
@@ -70,10 +70,6 @@ __all__ = [
 ]
 
 Floats = NDArray[np.float64]
-
-WARPING_ERROR = 0.2
-"""Error of the normal stress of restrained warping, against clamped plates twisted by Ritz's
-method, up to a thickness from the corner [-]."""
 
 AROUND_ERROR = 5e-3
 """Largest relative excess of a round section's computed stress."""
@@ -331,13 +327,12 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
     return found, whole + ErrorRange(-bent / most, bent / most)
 
 
-def unsure_swing(joint: SpaceJoint, scene: Scene) -> float:
-    """Return by what share restrained warping may change the largest stress of a stroke alone."""
+def unsure_swing(joint: SpaceJoint, scene: Scene) -> ErrorRange:
+    """Return by what restrained warping may change the largest stress of a stroke alone."""
     body = joint.layout.body(joint.layout.drive.body)
     swing = action(joint.assembly, Acting(scene.travel, np.zeros(6), body.point, np.zeros(3)))
     found = Stresses(joint.assembly).of(swing.moved.forces[:, 0], swing.weights)
-    most = max(map(largest_stress, found))
-    return warping_change(found, most) if most else 0.0
+    return warping_change(joint.layout.blades, found)
 
 
 def _places(swing: BladeStress | None, still: BladeStress) -> Iterator[Place]:
@@ -392,8 +387,8 @@ def linear_error(
     springs = spring_error(joint, state, stresses, change)
     if more > KNOWN or springs is None:
         return None
-    off = more / (1.0 - more) + warping_change(here, most)
-    return springs + ErrorRange(-off, off)
+    off = more / (1.0 - more)
+    return springs + warping_change(joint.layout.blades, here) + ErrorRange(-off, off)
 
 
 def spring_error(
@@ -432,10 +427,21 @@ def hinge_stress_error(blade: SpaceBlade | SpaceRod) -> ErrorRange | None:
     return None if error is None else ErrorRange(*error)
 
 
-def warping_change(stresses: list[BladeStress], most: float) -> float:
-    """Return the relative error of the largest stress by restrained warping."""
-    warping = max(float(np.max(np.abs(each.warping), initial=0.0)) for each in stresses)
-    return WARPING_ERROR * min(warping / most, 1.0)
+def warping_change(
+    blades: Sequence[SpaceBlade | SpaceRod], stresses: list[BladeStress], curled: float = 1.0
+) -> ErrorRange:
+    """Return the relative error of the largest stress of blades by restrained warping.
+
+    ``curled`` is the share of the most by which their sections may curl.
+    """
+    own = least = most = 0.0
+    for blade, each in zip(blades, stresses, strict=True):
+        error = warping_error(blade, curled)
+        ends = [equivalent(each.normal + end * each.warping, each.shear) for end in error]
+        own = max(own, largest_stress(each))
+        least = max(least, float(np.max(np.minimum(*ends), initial=0.0)))
+        most = max(most, float(np.max(np.maximum(*ends), initial=0.0)))
+    return ErrorRange(min(least / own, 1.0) - 1.0, max(most / own, 1.0) - 1.0) if own else EXACT
 
 
 def largest_stress(stress: BladeStress) -> float:

@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Filleted, Notch
-from flexcli.mechanics.space.layout import SpaceBlade
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
 from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.second_order import SecondOrder
 from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
+from flexcli.mechanics.space.warping_error import warping_error
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint
 from flexcli.parts.space_states import (
     KNOWN,
     SOFTENED,
-    WARPING_ERROR,
     acting_groups,
     hinge_stress_error,
     hull,
@@ -99,12 +99,13 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
     if not joint.is_uniform:
         return _across_hinges(joint, scene, acting, stresses, rest)
     found = list(_beside(joint, scene, stresses))
-    most = max(more for more, _ in found)
-    error = max(each for _, each in found)
-    if error > KNOWN:
+    most = max(more for more, _, _ in found)
+    off = max(each for _, each, _ in found)
+    warped = hull(each for *_, each in found)
+    if off > KNOWN or warped is None:
         return AcrossStress(rest + most, None)
     # what the stroke adds was taken as if largest at one place
-    known = ErrorRange(-error - most / (rest + most), error)
+    known = warped + ErrorRange(-off - most / (rest + most), off)
     return AcrossStress(rest + most, known, (rest + most) * known.largest)
 
 
@@ -268,18 +269,16 @@ def _across_hinges(
     if known is None:  # of the stress itself; all that acts in its sections is known
         return AcrossStress(found, ErrorRange(-1.0, inf), inf)
     # warping between straight clamps is as unsure as a hinge's is, which has that of its own
-    warped = 0.0 if _are_notches(joint) else WARPING_ERROR
-    low = (1.0 + min(known.low, -warped)) * (1.0 + unsure.low)
-    high = (1.0 + max(known.high, warped)) * (1.0 + unsure.high)
+    plain = (b for b in joint.layout.blades if not _is_notch(b))
+    whole = hull([known, *(warping_error(blade, curled=1.0) for blade in plain)])
+    assert whole is not None  # both are told
+    low, high = (1.0 + whole.low) * (1.0 + unsure.low), (1.0 + whole.high) * (1.0 + unsure.high)
     swings = (SWINGS * swings + TURNING * turned * found) * high
     return AcrossStress(found, ErrorRange(least / found * low - 1.0, high - 1.0), swings)
 
 
-def _are_notches(joint: SpaceJoint) -> bool:
-    return all(
-        isinstance(blade, SpaceBlade) and isinstance(blade.profile, Notch)
-        for blade in joint.layout.blades
-    )
+def _is_notch(blade: SpaceBlade | SpaceRod) -> bool:
+    return isinstance(blade, SpaceBlade) and isinstance(blade.profile, Notch)
 
 
 def _turned_by(joint: SpaceJoint, travel: float) -> float:
@@ -360,10 +359,13 @@ def _held_at(joint: SpaceJoint, travel: float) -> tuple[float | None, ...]:
     return tuple(travel if axis == own else None for axis in range(6))
 
 
-def _beside(joint: SpaceJoint, scene: Scene, stresses: Stresses) -> Iterator[tuple[float, float]]:
-    """Yield what stroke and loads in the plane add to the stress across [Pa], and an error.
+def _beside(
+    joint: SpaceJoint, scene: Scene, stresses: Stresses
+) -> Iterator[tuple[float, float, ErrorRange]]:
+    """Yield what stroke and loads in the plane add to the stress across [Pa], and two errors.
 
-    The error is of both; that is at each end of the stroke, for every sense of the loads.
+    The errors are of both, the second that of warping; that is at each end of the stroke, for every
+    sense of the loads.
     """
     body = joint.layout.body(joint.layout.drive.body)
     for end, loads in product(dict.fromkeys(scene.stroke_ends), _senses(joint, scene)):
@@ -381,8 +383,8 @@ def _beside(joint: SpaceJoint, scene: Scene, stresses: Stresses) -> Iterator[tup
         beyond = third_order(after)
         if beyond < KNOWN:
             beyond += _returned(loads.across, after, alone, more / most)
-        warped = warping_change(here, most)
-        yield more, beyond + spring_change(joint, loads.across) + warped
+        warped = warping_change(joint.layout.blades, here)
+        yield more, beyond + spring_change(joint, loads.across), warped
 
 
 def _returned(across: SpaceState, after: SecondOrder, alone: SecondOrder, share: float) -> float:

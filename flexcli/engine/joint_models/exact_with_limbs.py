@@ -41,7 +41,7 @@ from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_misfits import guided_about
 from flexcli.parts.spring_limits import changed_by_springs
 from flexcli.parts.stress_across import acting_across
-from flexcli.results import ErrorRange
+from flexcli.results import EXACT, ErrorRange
 
 __all__ = ["ExactWithLimbs"]
 
@@ -208,7 +208,7 @@ class ExactWithLimbs(ExactWithSolids):
         joint, beams = self._joint(ask), SpaceExactModel()
         each = [self._misfit_stress(ask, joint, one) for one in small]
         return misfit_stresses(
-            ask, each, StressModel(beams.blades, beams.largest_stress, lambda *_: 0.0)
+            ask, each, StressModel(beams.blades, beams.largest_stress, lambda *_: EXACT)
         )
 
     def _misfit_stress(self, ask: Ask, joint: SpaceJoint, one: MisfitStress) -> MisfitStress:

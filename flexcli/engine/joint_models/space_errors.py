@@ -27,6 +27,8 @@ from flexcli.mechanics.space.exact.stresses import section_states
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod, SpaceStar
 from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.springs import MemberSprings, springs_of
+from flexcli.mechanics.space.warping_error import warping_error
+from flexcli.results import ErrorRange
 
 __all__ = [
     "AT_STROKE",
@@ -38,6 +40,7 @@ __all__ = [
     "shell_errors",
     "springs_without_blocks",
     "strain_error",
+    "warping_errors",
     "width_error",
 ]
 
@@ -377,6 +380,18 @@ def _hinge_turn(blade: SpaceBlade | SpaceRod, bend: Bend) -> float:
 def _most(springs: MemberSprings) -> float:
     """Return the largest error of the springs of a blade at rest."""
     return float(max(np.max(springs.high), -np.min(springs.low)))
+
+
+def warping_errors(state: SpaceEquilibrium) -> list[ErrorRange]:
+    """Return the error of the stress of restrained warping of each blade, as far as it curls."""
+    found = []
+    for blade in state.layout.blades:
+        curled = 0.0
+        if isinstance(blade, SpaceBlade) and isinstance(blade.profile, Constant):
+            bend, wide = _bend(state, blade), blade.b**2 / (float(blade.profile.h) * _length(blade))
+            curled = min(wide * (bend.curve + bend.twist) / CURL, 1.0)
+        found.append(warping_error(blade, curled))
+    return found
 
 
 def strain_error(state: SpaceEquilibrium) -> float | None:

@@ -13,12 +13,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.beam_peaks import (
+    beam_peaks,
+    beam_swings,
+    unsure_of_peaks,
+    unsure_of_swings,
+)
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
 from flexcli.engine.joint_models.holds import hold_of
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_critical import critical_shares, may_stand
 from flexcli.engine.joint_models.space_deflection import deflections, warm_sag_ratio
-from flexcli.engine.joint_models.space_errors import StrokeErrors, width_error
+from flexcli.engine.joint_models.space_errors import StrokeErrors, warping_errors, width_error
 from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
@@ -35,7 +41,7 @@ from flexcli.errors import SolveError
 from flexcli.formulas.amplified import FURTHER, amplified, bent_by_forces, bent_part
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
+from flexcli.mechanics.space.exact.stresses import blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance, vibration
 from flexcli.mechanics.space.inertia import blade_masses
 from flexcli.mechanics.space.states import Acting, Stresses, action, combined
@@ -55,7 +61,6 @@ from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import (
     SOFTENED,
-    WARPING_ERROR,
     acting_groups,
     bent_by_gradient,
     moved_by_lengths,
@@ -63,17 +68,14 @@ from flexcli.parts.space_states import (
 )
 from flexcli.parts.strained_compliance import sag
 from flexcli.parts.worst_places import worst_places
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
-__all__ = ["SpaceExactModel", "beam_peaks", "beam_swings", "section_peaks"]
+__all__ = ["SpaceExactModel"]
 
 Floats = NDArray[np.float64]
-
-DIAGONALS = np.array([1.0, -1.0, -1.0, 1.0])
-"""Signs of the stress of restrained warping at the corners of a section."""
 
 ROUGH = 0.02
 """By how much beams may bear too much that is not looked at further."""
@@ -239,27 +241,15 @@ class SpaceExactModel(SpaceLinearModel):
         found = self.signed_stresses(state)
         return max((float(np.max(np.abs(each))), name) for name, each in found.items())
 
-    def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> float:
-        """Return how unsure the largest stress of a state is besides [Pa].
+    def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> ErrorRange:
+        """Return how unsure the largest stress of a state is besides: by restrained warping."""
+        return unsure_of_peaks(blade_stresses(state), warping_errors(state))
 
-        It is of restrained warping, whose spread beams do not know: more or less of it in all
-        corners. Elsewhere it counts as far as it may make a corner the worst place.
-        """
-        found = blade_stresses(state)
-        more, less = (
-            max(float(np.max(np.abs(section_peaks(each, share)))) for each in found)
-            for share in (WARPING_ERROR, -WARPING_ERROR)
-        )
-        return max(more - largest, largest - less)
-
-    def unsure_swing(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> float:
-        """Return by what share restrained warping may change the largest swing of a stroke."""
-        ends = blade_stresses(first), blade_stresses(last)
-        most, more, less = (
-            max(float(np.max(each)) for each in beam_swings(*ends, share).values())
-            for share in (0.0, WARPING_ERROR, -WARPING_ERROR)
-        )
-        return max(more - most, most - less) / most if most else 0.0
+    def unsure_swing(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> ErrorRange:
+        """Return how unsure the largest swing of a stroke is besides."""
+        both = zip(warping_errors(first), warping_errors(last), strict=True)
+        errors = [one if one.low < other.low else other for one, other in both]  # what curls more
+        return unsure_of_swings(blade_stresses(first), blade_stresses(last), errors)
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the box around it by exact beams, and the bodies that have no outline."""
@@ -427,7 +417,9 @@ class SpaceExactModel(SpaceLinearModel):
         joint = joint_of(ask)
         beside = sum(_stress_of_weight(joint, each) for each in acting_groups(joint, ask.scene))
         beside += bent_by_gradient(joint, ask.scene)[0]
-        most, unsure, largest, swing, lengths = 0.0, beside, 0.0, 0.0, 0.0
+        most, unsure, largest, lengths = 0.0, beside, 0.0, 0.0
+        least_warped = most_warped = 0.0
+        swing = EXACT
         if ask.scene.temperature is not None:
             lengths = moved_by_lengths(joint, ask.scene, ask.material)[0]
         if self.blades is BEAMS and _may_turn_aside(joint, ask.scene):
@@ -448,19 +440,27 @@ class SpaceExactModel(SpaceLinearModel):
                     return None, None
                 most = max(most, known)
                 if ask.scene.moves:
-                    swing = max(swing, self.unsure_swing(ends[0], ends[-1]))
+                    own_swing = self.unsure_swing(ends[0], ends[-1])
+                    low, high = min(swing.low, own_swing.low), max(swing.high, own_swing.high)
+                    swing = ErrorRange(low, high)
                 # what is bent once more amplifies what lengths leave as it does all else
                 own = beside + lengths * (1.0 + bent) ** 2
                 for state in ends:
                     here = self.largest_stress(state)[0]
-                    largest = max(largest, here)
-                    unsure = max(unsure, own + self.unsure_stress(state, here))
+                    warped = self.unsure_stress(state, here)
+                    largest, unsure = max(largest, here), max(unsure, own)
+                    least_warped = max(least_warped, here * (1.0 + warped.low))
+                    most_warped = max(most_warped, here * (1.0 + warped.high))
         except (NotAvailable, SolveError):
             return None, None
         if self.blades is BEAMS:
             most += largest / ask.material.elastic.E
-        each = most + unsure / largest, most + max(swing, beside / largest)
-        return ErrorRange(-each[0], each[0]), ErrorRange(-each[1], each[1])
+        off, swung = most + unsure / largest, beside / largest
+        warped = ErrorRange(least_warped / largest - 1.0, most_warped / largest - 1.0)
+        return (
+            warped + ErrorRange(-off, off),
+            ErrorRange(-most + min(swing.low, -swung), most + max(swing.high, swung)),
+        )
 
 
 def _may_turn_aside(joint: SpaceJoint, scene: Scene) -> bool:
@@ -570,74 +570,3 @@ def _off_path(state: SpaceEquilibrium) -> Floats:
         along = np.asarray(drive.direction)
         moved = moved - (moved @ along) * along
     return np.asarray(moved)
-
-
-def beam_peaks(stresses: Sequence[BladeStress]) -> dict[str, Floats]:
-    """Return von Mises' stress at the corners and faces of beams, signed as the normal stress."""
-    return {blade.name: section_peaks(blade).ravel() for blade in stresses}
-
-
-def beam_swings(
-    first: Sequence[BladeStress], last: Sequence[BladeStress], warped: float = 0.0
-) -> dict[str, Floats]:
-    """Return half of von Mises' stress of what changes in beams between two states [Pa].
-
-    The places are those of :func:`beam_peaks`; torsion and forces add up at each. ``warped`` is the
-    share of restrained warping by which it is larger in all corners.
-    """
-    pairs = zip(first, last, strict=True)
-    return {one.name: _swing(one, other, warped).ravel() for one, other in pairs}
-
-
-def _swing(one: BladeStress, other: BladeStress, warped: float) -> Floats:
-    signed = (one.signed - other.signed) / 2.0
-    thin, wide, twisted, faces, sides = np.moveaxis(signed, -1, 0)
-    axial = (one.axial - other.axial) / 2.0
-    corner = (one.corner - other.corner) / 2.0
-    if warped:
-        # of all that is along the corners of a blade only warping is alike across both diagonals
-        held = np.abs(corner @ DIAGONALS) / 4.0 if corner.shape[1] == 4 else 0.0 * axial
-        corner = _larger(corner, warped * held)
-    around = np.ones(corner.shape[1])
-    if len(around) == 2:  # a rod: around it bending is the largest somewhere, and so is shear
-        bent, pushed = np.hypot(thin, wide), np.hypot(faces, sides)
-        fibres = (one.fibres - other.fibres) / 2.0
-        normal = np.outer(np.abs(axial) + np.abs(fibres) + bent, around)
-        largest = np.abs(axial) + bent, np.abs(axial)
-        shears = np.zeros_like(bent), np.abs(twisted), np.abs(twisted) + pushed
-        normal = np.column_stack([normal, *np.repeat(largest, 2, axis=0)])
-    else:
-        turned = np.abs(twisted)
-        middles = axial - thin, axial + thin, axial + wide, axial - wide
-        shears = one.edge * turned, turned + np.abs(faces), turned + np.abs(sides)
-        normal = np.column_stack([corner, *middles])
-    return _around(normal, *shears)
-
-
-def section_peaks(blade: BladeStress, warped: float = 0.0) -> Floats:
-    """Return von Mises' stress of each section of a beam, at its corners, faces and sides [Pa].
-
-    It has the sign of the normal stress; the shape is (places, 8), for a rod (places, 6).
-    ``warped`` is the share of restrained warping by which it is larger in all corners.
-    """
-    thin, wide = blade.signed[:, :2].T
-    if blade.corner.shape[1] == 2:  # a rod: its extremes, wherever around it they are
-        thin, wide = -blade.bend_thin, blade.bend_wide
-    axial = blade.axial
-    middles = axial - thin, axial + thin, axial + wide, axial - wide
-    normal = np.column_stack([_larger(blade.corner, warped * blade.warping), *middles])
-    turned = blade.shear
-    whole = _around(normal, blade.edge * turned, turned + blade.faces, turned + blade.sides)
-    return np.asarray(np.copysign(whole, normal))
-
-
-def _larger(corner: Floats, more: Floats) -> Floats:
-    """Return stresses at corners (places, corners) that are larger in size by so much (places,)."""
-    return np.copysign(np.maximum(np.abs(corner) + more[:, None], 0.0), corner)
-
-
-def _around(normal: Floats, corner: Floats, face: Floats, side: Floats) -> Floats:
-    """Return von Mises' stress around sections: at corners, both faces, and both sides [Pa]."""
-    columns = (corner, normal.shape[1] - 4), (face, 2), (side, 2)
-    shear = [np.outer(tau, np.ones(count)) for tau, count in columns]
-    return equivalent(normal, np.concatenate(shear, axis=1))

@@ -77,8 +77,7 @@ class SpaceLinearModel(JointModel):
         known = self.error(ask, QuantityKind.STRESS)
         if known is None or not ask.scene.moves or ask.scene.loads <= {LoadKind.STROKE}:
             return None
-        off = unsure_swing(_joint(ask), ask.scene)
-        return known + ErrorRange(-off, off)
+        return known + unsure_swing(_joint(ask), ask.scene)
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion, all else free [N·m/rad or N/m]."""

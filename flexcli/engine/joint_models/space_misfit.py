@@ -27,12 +27,13 @@ SMALL = 1e-3
 class StressModel(NamedTuple):
     """What blades are made of, and how the stress of an equilibrium of them is told [Pa].
 
-    ``largest`` gives the largest and the blade that has it, ``unsure`` how unsure it is besides.
+    ``largest`` gives the largest and the blade that has it, ``unsure`` how unsure it is besides,
+    relative.
     """
 
     blades: Blades
     largest: Callable[[SpaceEquilibrium], tuple[float, str]]
-    unsure: Callable[[SpaceEquilibrium, float], float]
+    unsure: Callable[[SpaceEquilibrium, float], ErrorRange]
 
 
 def misfit_stresses(
@@ -77,8 +78,10 @@ def _by_beams(ask: Ask, small: MisfitStress, sense: float, model: StressModel) -
     except SolveError as error:
         raise NotAvailable(f"has no errors by beams: {error}") from error
     off = amplified(max(bent, more * (1.0 + more) / ratio), share)
-    off += model.unsure(state, largest) / largest
-    return Told(value, small.springs + ErrorRange(-off, off) if off < inf else None), where
+    if off == inf:
+        return Told(value, None), where
+    besides = small.springs + model.unsure(state, largest)
+    return Told(value, besides + ErrorRange(-off, off)), where
 
 
 def _by_itself(ask: Ask, small: MisfitStress, sense: float, model: StressModel) -> tuple[Told, str]:
@@ -89,8 +92,9 @@ def _by_itself(ask: Ask, small: MisfitStress, sense: float, model: StressModel) 
     bent = _bent(ask, small, sense, model, largest)
     if known is not None and state.coarser is not None and bent is not None:
         change = abs(model.largest(state.coarser)[0] / largest - 1.0)
-        off = known.stress_of(bent) + change + model.unsure(state, largest) / largest
-        told = Told(largest, ErrorRange(-off, off) if off < inf else None)
+        off = known.stress_of(bent) + change
+        besides = model.unsure(state, largest) + ErrorRange(-off, off)
+        told = Told(largest, besides if off < inf else None)
     return told, f"{blade}, {_being_off(state, small)}"
 
 

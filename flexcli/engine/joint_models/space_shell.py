@@ -9,8 +9,9 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.beam_peaks import beam_peaks, beam_swings
 from flexcli.engine.joint_models.space_errors import shell_errors
-from flexcli.engine.joint_models.space_exact import SpaceExactModel, beam_peaks, beam_swings
+from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_stroke import Blades, at_travel, driven_coordinate
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
@@ -25,7 +26,7 @@ from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.support import driven_stiffness
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask, CriticalShare
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 __all__ = ["SHELLS", "SpaceShellModel"]
 
@@ -90,18 +91,19 @@ class SpaceShellModel(SpaceExactModel):
         """Return half of von Mises' stress of what changes in rods: shells keep their signs."""
         return beam_swings(rod_stresses(first), rod_stresses(last))
 
-    def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> float:
-        """Return by how much less it is where corners count that are twice as large [Pa].
+    def unsure_stress(self, state: SpaceEquilibrium, largest: float) -> ErrorRange:
+        """Return by what share less it is where corners count that are twice as large.
 
-        Or by how much more there is nominally in the corners, of twist.
+        Or by what more there is nominally in the corners, of twist.
         """
         outside = _signed(state, 2.0 * CORNER).values()
         smaller = max(float(np.max(np.abs(each))) for each in outside)
-        return max(largest - smaller, twisted_corners(state) - largest)
+        less = 1.0 - smaller / largest
+        return ErrorRange(-less, max(less, twisted_corners(state) / largest - 1.0))
 
-    def unsure_swing(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> float:
+    def unsure_swing(self, first: SpaceEquilibrium, last: SpaceEquilibrium) -> ErrorRange:
         """Return nothing: shells know how their sections warp."""
-        return 0.0
+        return EXACT
 
 
 def _signed(state: SpaceEquilibrium, corner: float) -> dict[str, Floats]:

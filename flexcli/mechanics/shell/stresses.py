@@ -64,7 +64,8 @@ def twisted_corners(state: SpaceEquilibrium, corner: float = CORNER) -> float:
 
     A twisted blade that may not warp at its clamps is stressed along at its edges as nominally as
     it is by bending, in opposite ways on both faces and both edges: that part counts up to a
-    thickness from the clamps and long sides, with what else there is where the corner ends.
+    thickness from the clamps and long sides, with what else there is where the corner ends; so does
+    the stress along that has its moment ∫σ y z dA and is spread as y z, which beams have.
     """
     return max((each.twisted_corners(corner) for each in _all_over(state)), default=0.0)
 
@@ -107,9 +108,18 @@ class _Faces(NamedTuple):
         last = self.s.size - 1 - np.argmax(beside[::-1], axis=0)
         rows = np.clip(np.arange(self.s.size)[:, None], first, last)
         rest = np.take_along_axis(self.sigma - twist, rows[None, ..., None], axis=1)
-        inside = self.beside(0.0) & ~beside
-        found = _mises(*np.moveaxis((rest + twist)[:, inside], -1, 0))
-        return float(np.max(found, initial=0.0))
+        spread = np.zeros_like(twist)
+        spread[..., 0] = self._as_beam(twist[..., 0])
+        each = (twist, self.beside(0.0) & ~beside), (spread, ~beside)
+        found = (_mises(*np.moveaxis((rest + part)[:, inside], -1, 0)) for part, inside in each)
+        return max(float(np.max(stress, initial=0.0)) for stress in found)
+
+    def _as_beam(self, twist: Floats) -> Floats:
+        """Return stresses of twist (2, along, across) spread as z, their moments the same."""
+        z = self.z / np.max(np.abs(self.z))
+        waves = np.polynomial.legendre.legvander(z, len(z) - 1)
+        weights = np.linalg.solve(waves.T, 2.0 * np.eye(len(z))[0])
+        return np.asarray(np.multiply.outer(1.5 * twist @ (weights * z), z))
 
 
 def _mises(along: Floats, across: Floats, shear: Floats) -> Floats:

@@ -128,7 +128,7 @@ def test_shells_tell_the_stress_of_blades_that_are_too_wide_for_beams():
     # more than in narrower ones, which beams know, less than were sections as stiff as beams'
     narrower, _ = missed(WIDE | {"b": "38 mm"}, seat, "exact", 0.3)
     assert narrower < stress < beams.demand
-    assert least < narrower < most < 1.4 * least
+    assert least < narrower < most < 1.5 * least
 
 
 @pytest.mark.parametrize(("b", "nu"), [(0.4, 0.3), (4.0, 0.45)])
