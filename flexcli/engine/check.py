@@ -1,6 +1,6 @@
 """The verb check: judge the sizes that the spec gives."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from time import perf_counter
@@ -15,6 +15,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import JointModel
+from flexcli.parts.requirements.base import HELD_ACROSS
 from flexcli.results import Check, Cost, Note, QuantityKind, Result, Value, Verdict, with_seconds
 
 __all__ = ["check", "judged", "told_values", "verdicts"]
@@ -251,7 +252,7 @@ def _has_something_to_judge(design: DesignSpec) -> bool:
 def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
     """Yield what would decide a check that is not decided."""
     undecided = [c for c in found.checks if c.verdict is Verdict.UNDECIDED]
-    moving = ", ".join(dict.fromkeys(c.name for c in undecided if c.depends_on_mass))
+    moving = _names(check for check in undecided if check.depends_on_mass)
     if moving and _has_limbs(design, sizes):
         stated = "limb" in type(design.geometry).model_fields
         remedy = "geometry.limb" if stated else "a layout whose bodies have masses"
@@ -261,20 +262,32 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
         )
         yield Note("limbs-without-mass", text)
     if undecided and design.material.poisson_ratio is None:
-        names = ", ".join(dict.fromkeys(check.name for check in undecided))
         text = (
             "material.poisson_ratio is not given and was taken as anything from 0 to ½; "
-            f"giving it may decide {names}"
+            f"giving it may decide {_names(undecided)}"
         )
         yield Note("needs-poisson-ratio", text)
     if undecided and design.geometry.unstated:
         keys = ", ".join(f"geometry.{key}" for key in design.geometry.unstated)
-        names = ", ".join(dict.fromkeys(check.name for check in undecided))
         text = (
             f"{keys} is not given, without which the linear and the exact model are less sure or "
-            f"have no answer; giving it may decide {names}"
+            f"have no answer; giving it may decide {_names(undecided)}"
         )
         yield Note(f"needs-{design.geometry.unstated[0]}", text)
+    held = _names(check for check in undecided if HELD_ACROSS in check.name)
+    if held and design.geometry.with_compliant_clamps() is not None:
+        text = (
+            "geometry.clamps is not given: rigid ones stress blades that they keep from growing "
+            f"across more than compliant ones; saying rigid or monolithic may decide {held}"
+        )
+        yield Note("needs-clamps", text)
+    warm = _names(_known_at_assembly_alone(design, sizes, undecided))
+    if warm:
+        text = (
+            "the material is known at assembly alone, or in part; material.over_temperature may "
+            f"decide {warm}"
+        )
+        yield Note("needs-over-temperature", text)
     tilting = _tilting(design, undecided)
     if tilting:
         text = (
@@ -289,6 +302,24 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
             f"of the densest metal; giving it may decide {moving}"
         )
         yield Note("needs-density", text)
+
+
+def _names(checks: Iterable[Check]) -> str:
+    """Return the names of checks, in words."""
+    return ", ".join(dict.fromkeys(check.name for check in checks))
+
+
+def _known_at_assembly_alone(
+    design: DesignSpec, sizes: Sizes, undecided: Sequence[Check]
+) -> Iterator[Check]:
+    """Yield the checks of cases so warm or cold that the material is not known well there."""
+    known: dict[str, bool] = {}
+    for check in undecided:
+        if check.case and check.case not in known:
+            scene = design.scene(check.case)
+            known[check.case] = not omitted_effects.of_assembly(design, sizes, scene)
+        if not known.get(check.case, True):
+            yield check
 
 
 def _tilting(design: DesignSpec, undecided: Sequence[Check]) -> str:

@@ -12,7 +12,7 @@ from flexcli.parts.scene import Scene
 from flexcli.results import EffectRow, Note, QuantityKind, Value
 from flexcli.units import show
 
-__all__ = ["NOTABLE", "effects", "errors_of", "reported", "setting", "warnings"]
+__all__ = ["NOTABLE", "effects", "errors_of", "of_assembly", "reported", "setting", "warnings"]
 
 NOTABLE = 0.05
 """An effect left out that may change a number by more than this is a warning, not only a row."""
@@ -163,30 +163,35 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
     asked = temperature.temperatures(layout, geometry.axes, geometry.body_materials)
     hottest = max(asked)
     most = max(abs(T - temperature.assembly) for T in asked)
-    given = known.model_dump(exclude_none=True) if known is not None else {}
     if known is not None and (beyond := known.continued(asked)):
         text = f"case '{scene.case}' reaches {hottest:.4g} K, beyond the points of the material: "
         text += f"{', '.join(beyond)}; taken by thermal_expansion, and as it is there"
         yield Note("beyond-points", text)
     yield from _held_across(design, sizes, scene)
-    if most <= NEAR:
-        return
-    parts = {
-        "elongation": "thermal_expansion is one number",
-        "youngs_modulus": "youngs_modulus is that at assembly",
-    }
-    parts |= {
-        name: f"{name} is that at assembly"
-        for name in STRENGTHS
-        if getattr(design.material, name) is not None
-    }
-    missing = [text for name, text in parts.items() if name not in given]
+    missing = of_assembly(design, sizes, scene)
     if missing:
-        text = f"case '{scene.case}' is {most:.3g} K from assembly: {'; '.join(missing)}"
+        told = {"elongation": "thermal_expansion is one number"}
+        parts = "; ".join(told.get(name, f"{name} is that at assembly") for name in missing)
+        text = f"case '{scene.case}' is {most:.3g} K from assembly: {parts}"
         text += "; what that may change is in the errors"
         if hottest - temperature.assembly > WARM:
             text += f", and no strength that is not given is known {WARM:.0f} K above assembly"
         yield Note("at-assembly", f"{text}; material.over_temperature would give more")
+
+
+def of_assembly(design: DesignSpec, sizes: Sizes, scene: Scene) -> tuple[str, ...]:
+    """Return the properties known at assembly alone, in a case far enough from there to matter."""
+    layout, temperature = design.drawn(sizes), scene.temperature
+    if layout is None or temperature is None:
+        return ()
+    geometry, known = design.geometry, design.material.over_temperature
+    asked = temperature.temperatures(layout, geometry.axes, geometry.body_materials)
+    if max(abs(T - temperature.assembly) for T in asked) <= NEAR:
+        return ()
+    strengths = (name for name in STRENGTHS if getattr(design.material, name) is not None)
+    given = known.given if known is not None else frozenset()
+    each = ("elongation", "youngs_modulus", *strengths)
+    return tuple(name for name in each if name not in given)
 
 
 def _held_across(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[Note]:

@@ -417,7 +417,8 @@ OMITS = "leaves out"
 NOT_ASKED = "nothing to ask"
 OPEN = {
     "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "needs-blocks": "blocks",
-    "needs-spacing": "spacing", "limbs-without-mass": "limb",
+    "needs-spacing": "spacing", "limbs-without-mass": "limb", "needs-clamps": "clamps",
+    "needs-over-temperature": "over_temperature", "needs-inertia": "inertia",
 }  # fmt: skip
 """Notes on what the spec does not give: a property of the material, or of the geometry.
 
@@ -563,17 +564,43 @@ def _lacks(said, spec, name):
     has_limb = spec["geometry"]["kind"] in LIMBS
     if not missing or ("limb" in missing and not has_limb):
         return bool(missing)
-    given = {"poisson_ratio": 0.3, "density": "4430 kg/m^3"}
-    material = {**{each: given[each] for each in missing if each in given}, **spec["material"]}
-    requirements = {name: spec["requirements"][name]}
-    spec = {**spec, "material": material, "requirements": requirements}
-    if "spacing" in missing:
-        spec["geometry"] = {**spec["geometry"], "spacing": spec["geometry"]["l"]}
-    if "limb" in missing:
-        spec["geometry"] = {**spec["geometry"], "limb": limb(spec["geometry"])}
-    if "blocks" in missing:
-        spec["geometry"] = {**spec["geometry"], "blocks": m(mouth(spec["geometry"]))}
-    return checked(spec, name).verdict != UNDECIDED
+    spec = {**spec, "requirements": {name: spec["requirements"][name]}}
+    material, geometry = dict(spec["material"]), dict(spec["geometry"])
+    for each, value in (("poisson_ratio", 0.3), ("density", "4430 kg/m^3")):
+        if each in missing:
+            material.setdefault(each, value)
+    if "over_temperature" in missing:
+        material["over_temperature"] = _over_temperature(material)
+    given = {
+        "spacing": lambda: geometry["l"],
+        "limb": lambda: limb(geometry),
+        "blocks": lambda: m(mouth(geometry)),
+    }
+    geometry |= {key: value() for key, value in given.items() if key in missing}
+    if "inertia" in missing and "inertia" in spec["mechanism"]:
+        about_z = spec["mechanism"]["inertia"]
+        inertia = dict.fromkeys(("xx", "yy", "zz"), about_z)
+        spec["mechanism"] = {**spec["mechanism"], "inertia": inertia}
+    clamps = ("rigid", "monolithic") if "clamps" in missing else (None,)
+    each = (
+        {**spec, "material": material, "geometry": geometry | ({"clamps": one} if one else {})}
+        for one in clamps
+    )
+    return any(checked(one, name).verdict != UNDECIDED for one in each)
+
+
+def _over_temperature(material):
+    """Return what a material is at all temperatures, as it is at assembly where nothing is told."""
+    told = dict(material.get("over_temperature", {}))
+    strengths = ("yield_strength", "tensile_strength", "fatigue_amplitude", "youngs_modulus")
+    for each in strengths:
+        value = material.get(each)
+        value = value["value"] if isinstance(value, dict) else value
+        if value is not None:
+            told.setdefault(each, {"points": [["4 K", value], ["700 K", value]]})
+    rate = float(material["thermal_expansion"].split()[0])
+    longer = [[f"{T} K", f"{100.0 * rate * (T - 293.0)!r} %"] for T in (4.0, 293.0, 700.0)]
+    return {"elongation": {"points": longer}, **told}
 
 
 def _omits(spec, name):

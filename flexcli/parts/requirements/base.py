@@ -13,7 +13,19 @@ from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import Check, ErrorRange, QuantityKind
 
-__all__ = ["Bound", "BoundAtStroke", "FactorRequirement", "Limit", "Requirement", "limit_of"]
+__all__ = [
+    "HELD_ACROSS",
+    "Bound",
+    "BoundAtStroke",
+    "FactorRequirement",
+    "Limit",
+    "Requirement",
+    "limit_of",
+]
+
+
+HELD_ACROSS = "held across"
+"""Variant of a stress at clamps that keep blades from growing across."""
 
 
 class Limit(NamedTuple):

@@ -9,7 +9,7 @@ from pydantic import field_validator
 from flexcli.parts.base import OneOrMore, spec_error
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
-from flexcli.parts.requirements.base import FactorRequirement, Limit
+from flexcli.parts.requirements.base import HELD_ACROSS, FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -114,7 +114,7 @@ class Yield(FactorRequirement):
             "Pa",
             f"allowable: {allowable}; clamp-held-middle and -face, by von Mises",
             required=self.factor,
-            variant=f"{allowable}, held across",
+            variant=f"{allowable}, {HELD_ACROSS}",
             kind=QuantityKind.STRESS,
             error=error,
             strengths=(allowable.replace("-", "_"),),
