@@ -393,9 +393,11 @@ class _Series:
                     if not enough(check):
                         fails = _buckles(check, buckled)
                         best[check.full_name] = fails._replace(model=model.name, seconds=spent)
+            if enough is _is_decided and requirement.is_of_stress:
+                best |= self._overborne(best, scene)  # before finer ones follow hopeless loads
             if best and all(enough(check) for check in best.values()):
                 break
-        if requirement.is_of_stress:
+        if enough is not _is_decided and requirement.is_of_stress:
             best |= self._overborne(best, scene)
         if not best and first > 0:
             yield from self.by_models(requirement, scene, enough)

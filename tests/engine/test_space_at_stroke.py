@@ -604,7 +604,8 @@ def test_loads_at_a_stroke_are_followed_from_its_end(tmp_path, monkeypatch):
 
     def noted(layout, held=None, *, loads=(), start=None, **how):
         state = solve(layout, held, loads=loads, start=start, **how)
-        if loads and start is not None and start.part.demand.held.size:
+        # each that is solved again from rest takes seconds: two show it
+        if loads and start is not None and start.part.demand.held.size and len(found) < 2:
             found.append((state, start, solve(layout, held, loads=loads, **how)))
         return state
 
