@@ -190,7 +190,11 @@ class ExactWithLimbs(ExactWithSolids):
         for load in acting:
             off = self._apart(ask, joint, _acted(load)).max(axis=0)
             unsure = unsure[0] + off, unsure[1] + shares[1] * off
-        return Wrenches(wrenches.reshape(-1, 6), unsure, across.reshape(-1, 6), shares)
+        # the throat of an inner hinge lies before the middle of its limb
+        ends = np.broadcast_to(-_sides(hinges)[:, None], wrenches.shape[:-1])
+        return Wrenches(
+            wrenches.reshape(-1, 6), unsure, across.reshape(-1, 6), shares, ends.ravel()
+        )
 
     def misfit_stresses(
         self, ask: Ask, small: Sequence[MisfitStress]

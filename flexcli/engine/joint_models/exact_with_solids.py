@@ -31,6 +31,7 @@ from flexcli.mechanics.solids.unit_loads import (
     NeckUnderLoads,
     equivalent,
     neck_under_loads,
+    sides,
 )
 from flexcli.mechanics.space.springs import MemberSprings, springs_of
 from flexcli.mechanics.state import Equilibrium
@@ -113,13 +114,15 @@ class Wrenches(NamedTuple):
 
     ``unsure`` (6,) [N, N·m] is what that may be off by, and what the amplitude of that may;
     ``across`` (states, 6) is the part that acts out of the plane, ``shares`` what a stroke may
-    change of it, and what it may alternate by.
+    change of it, and what it may alternate by. ``sides`` (states,) tell which side of the middle
+    bears it, 1 or −1, where what is between bears another: a limb that weighs something.
     """
 
     wrenches: Floats
     unsure: tuple[Floats, Floats]
     across: Floats
     shares: tuple[float, float]
+    sides: Floats | None = None
 
 
 SolidUnderLoads: TypeAlias = NeckUnderLoads | RigidLimb
@@ -369,6 +372,9 @@ class ExactWithSolids(ExactModel):
     ) -> _Worst:
         """Return the worst places of the surface, state by state or between both ends."""
         stress, is_last = solid.stresses(borne.wrenches, orders)
+        if borne.sides is not None:
+            there = borne.sides[:, None] == sides(len(is_last))
+            stress = stress * there[..., None]
         scene, joint = ask.scene, ask.geometry.joint_of("hinge")
         reverses = scene.mean_travel == 0.0 and not (scene.is_loaded or scene.across_by)
         pairs = zip(stress[::2], stress[1::2], strict=True)

@@ -43,7 +43,10 @@ class RigidLimb:
         return 2.0 * found, error
 
     def stresses(self, wrenches: Floats, orders: tuple[int, int, int]) -> tuple[Floats, Floats]:
-        """Return the stresses of wrenches about the middle, as those of the necks."""
+        """Return the stresses of wrenches about the middle, as those of the necks.
+
+        The neck beyond the middle comes first, as the octants of a whole limb do.
+        """
         either = [self.each.stresses(each, orders) for each in self._about_necks(wrenches)]
         stress, last = zip(*either, strict=True)
         return np.concatenate(stress, axis=1), np.concatenate(last)

@@ -15,7 +15,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.solids.neck import Neck, neck_lattice
 from flexcli.mechanics.solids.octant import LOADS, Moved, Octant
 
-__all__ = ["COARSE", "FINE", "NeckUnderLoads", "equivalent", "neck_under_loads"]
+__all__ = ["COARSE", "FINE", "NeckUnderLoads", "equivalent", "neck_under_loads", "sides"]
 
 Floats = NDArray[np.float64]
 Orders = tuple[int, int, int]
@@ -177,6 +177,14 @@ def _signs(parity: tuple[int, int, int], mirrored: tuple[bool, ...]) -> Floats:
         if mirrored[axis]:
             found *= [parity[axis] * (-1.0) ** ((i == axis) + (j == axis)) for i, j in VOIGT]
     return found
+
+
+def sides(places: int) -> Floats:
+    """Return on which side of the middle so many places of a surface are: 1 beyond it, or −1.
+
+    Octants before the middle are the mirror images of those beyond it, and come after them.
+    """
+    return np.repeat([1.0, -1.0], places // 2)
 
 
 def equivalent(stress: Floats) -> Floats:
