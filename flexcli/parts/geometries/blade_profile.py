@@ -14,10 +14,10 @@ from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.numerics.rows import number, one_by_one, smaller
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
 from flexcli.parts.bending.base import Thick
-from flexcli.parts.bending.thick import thick_fillets, thick_notch
+from flexcli.parts.bending.thick import thick_notch
 from flexcli.parts.geometries.base import Extent
 
-__all__ = ["AnyProfile", "BladeProfile", "ConstantProfile"]
+__all__ = ["AnyProfile", "BladeProfile", "ConstantProfile", "FilletedProfile"]
 
 Fraction = Annotated[float, QuantityOf("ratio", at_least=0.0)]
 
@@ -54,7 +54,7 @@ class BladeProfile(Part):
         return 0.0, 0.0
 
     def thick(self, size: Numbers, l: float) -> Thick | None:
-        """Return its change by plane elasticity, where it is a notch or has fillets."""
+        """Return its change by plane elasticity, where it is a notch."""
         return None
 
     def turn(self, size: Numbers, l: float) -> float:
@@ -153,10 +153,6 @@ class FilletedProfile(BladeProfile):
         above = partial(fillet.factors_above, clamped=clamped)
         bent, along = one_by_one(above, size, l, self.r)
         return bent, along
-
-    def thick(self, size: Numbers, l: float) -> Thick:
-        """Return the factor of the fillets."""
-        return thick_fillets(h=size, r=self.r, l=l, turn=self.turn(size, l))
 
     def misfit(self, l: float) -> str:
         """Return that two fillets are longer than the blade."""

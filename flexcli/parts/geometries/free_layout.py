@@ -19,7 +19,7 @@ from flexcli.parts.bending.wide import wide_by_shapes, wide_drawn
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Sizes
 from flexcli.parts.geometries.base import Blade as WideBlade
-from flexcli.parts.geometries.blade_profile import ConstantProfile
+from flexcli.parts.geometries.blade_profile import ConstantProfile, FilletedProfile
 from flexcli.parts.geometries.blades import ClampedBlades
 from flexcli.parts.geometries.layout_clearances import rooms
 from flexcli.parts.geometries.layout_faults import Drawing, faults
@@ -222,8 +222,13 @@ class FreeLayout(Drawn, ClampedBlades):
         layout = self.layout(Elastic(1.0, nu), sizes)
         return wide_by_shapes(plain, each, nu, layout, self.held(1.0))
 
+    @property
+    def has_fillets(self) -> bool:
+        """Return whether any of its blades has fillets at its ends."""
+        return any(isinstance(blade.profile, FilletedProfile) for blade in self.blades.values())
+
     def thick_notches(self, sizes: Sizes) -> Thick | None:
-        """Return the range of the factors of its blades that are notches or have fillets."""
+        """Return the range of the factors of its blades that are notches."""
         each = [
             blade.thickness.thick(self.size_of(name, sizes), blade.length)
             for name, blade in self.blades.items()
