@@ -45,6 +45,10 @@ class BladeProfile(Part):
         """Return the radius where the shape meets a body, or of its throat; 0 if sharp [m]."""
         return 0.0
 
+    def straight(self, l: float) -> float | None:
+        """Return over what length it is as thick, None where more than fillets vary [m]."""
+        return None
+
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
         """Return the stress concentration factors of the shape in bending and along the blade."""
         return 1.0, 1.0
@@ -77,6 +81,10 @@ class ConstantProfile(BladeProfile):
     def shape(self, size: Any) -> shapes.Profile:
         """Return h."""
         return shapes.Constant(size)
+
+    def straight(self, l: float) -> float:
+        """Return all of it."""
+        return l
 
 
 class NeckedDownProfile(BladeProfile):
@@ -142,6 +150,10 @@ class FilletedProfile(BladeProfile):
     def radius(self, l: float) -> float:
         """Return that of its fillets."""
         return self.r
+
+    def straight(self, l: float) -> float:
+        """Return the length between its fillets."""
+        return l - 2.0 * self.r
 
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
         """Return those of its fillets."""

@@ -19,7 +19,7 @@ from flexcli.parts.bending.wide import wide_by_shapes, wide_drawn
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Sizes
 from flexcli.parts.geometries.base import Blade as WideBlade
-from flexcli.parts.geometries.blade_profile import ConstantProfile, FilletedProfile
+from flexcli.parts.geometries.blade_profile import FilletedProfile
 from flexcli.parts.geometries.blades import ClampedBlades
 from flexcli.parts.geometries.layout_clearances import rooms
 from flexcli.parts.geometries.layout_faults import Drawing, faults
@@ -211,16 +211,20 @@ class FreeLayout(Drawn, ClampedBlades):
                 WideBlade(
                     drawn.thickness.thinnest(self.size_of(name, sizes)), drawn.length, drawn.b
                 ),
-                isinstance(drawn.thickness, ConstantProfile),
+                drawn.thickness.straight(drawn.length),
             )
             for name, drawn in self.blades.items()
         ]
         plain = wide_drawn(blades, nu, springs=bool(self.supports))
-        if not all(constant for _, constant in blades):
+        even = [
+            (WideBlade(*map(float, blade)), straight)
+            for blade, straight in blades
+            if straight is not None
+        ]
+        if len(even) < len(blades):
             return plain
-        each = [WideBlade(*map(float, blade)) for blade, _ in blades]
         layout = self.layout(Elastic(1.0, nu), sizes)
-        return wide_by_shapes(plain, each, nu, layout, self.held(1.0))
+        return wide_by_shapes(plain, even, nu, layout, self.held(1.0))
 
     @property
     def has_fillets(self) -> bool:
