@@ -164,7 +164,7 @@ blades 20 mm apart, E = 200 GPa, rigid clamps: CalculiX's bricks by ``flexure ve
 def test_stages_of_narrow_and_wide_blades_with_fillets_are_as_stiff_as_solids(
     h, r, l, b, nu, stiffness, off, is_drawn
 ):
-    """Blunt fillets hold narrow blades less than clamps do: their range was above the first."""
+    """Blunt fillets hold narrow blades less than clamps do, as in the first."""
     geometry = {"kind": "leaf-spring-stage", "h": f"{h} mm", "l": f"{l} mm", "spacing": "20 mm"}
     geometry |= {"b": f"{b} mm", "root_radius": f"{r} mm"}
     if is_drawn:
