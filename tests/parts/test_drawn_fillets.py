@@ -132,10 +132,18 @@ def test_a_drawn_stage_with_fillets_is_told_as_that_of_the_catalogue(clamps):
     said = {"kind": "leaf-spring-stage", "clamps": clamps, "spacing": "20 mm", **sizes}
     known = ADAPTER.validate_python(said)
     one, other = (changes(each, 0.3) for each in (known, drawn))
-    for name in ("stiffness", "stress", "buckling", "softest", "loaded"):
+    for name in ("stiffness", "stress", "buckling", "softest", "loaded", "shift"):
         assert np.allclose(getattr(one, name), getattr(other, name), rtol=1e-6, atol=0.0), name
     springs = [each.root_springs(each.sized({}), 0.3) for each in (known, drawn)]
     assert springs[0] == pytest.approx(springs[1], rel=1e-6)
+
+
+@pytest.mark.parametrize("at", [(0.0, 6e-3), (1e-3, 6e-3)])
+def test_a_stage_whose_point_is_beside_the_middle_of_its_blades_leaves_its_path_as_it_turns(at):
+    """So that the shortening of its blades is not all that its shift is of."""
+    pair = [blade((x, 0.0), (x, 12e-3), filleted(0.3e-3, 0.4e-3)) for x in (-10e-3, 10e-3)]
+    low, high = changes(layout(pair, "rigid", turns=False, at=at), 0.3).shift
+    assert (low < 0.0 < high) == (at[0] != 0.0)
 
 
 def test_the_shift_of_unlike_blades_may_change_as_that_which_shortens_the_most():
