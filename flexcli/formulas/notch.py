@@ -6,7 +6,7 @@ grows against the throat: below 5 % for r > 5 e. (The lecture prints the rule as
 which is the wrong way round.)
 """
 
-from math import inf, pi
+from math import pi
 
 import numpy as np
 
@@ -375,21 +375,18 @@ SHEARED, SHALLOW, EITHER_WAY = 0.45, 0.15, 0.2
 """Of :func:`sheared_peak`: the share per e/ρ, what it is more per e/depth, and its error."""
 
 
-def sheared_peak(
-    *, e: Numbers, rho: Numbers, straight: Numbers = 0.0, depth: Numbers = inf
-) -> tuple[Computed, Computed]:
+def sheared_peak(*, e: Numbers, rho: Numbers, depth: Numbers) -> tuple[Computed, Computed]:
     """Return by what share a force across the thickness stresses the faces more, and its error.
 
     Its moment vanishes in the throat, so that the stress is largest beside it, at √(e ρ/3), where
-    the faces rise: ``(0.45 + 0.15 e/depth) e/ρ (g/(g + s/2))^{3/2}``, g = √(e ρ/3), s straight
-    between fillets, of the stress by the moment and the section there.
+    the faces rise: ``(0.45 + 0.15 e/depth) e/ρ`` of the stress by the moment and the section there.
 
     Parameters
     ----------
     e, rho : Numbers
         Thickness and radius of the throat [m].
-    straight, depth : Numbers
-        Length between two fillets, and depth of each of two half-ellipses [m].
+    depth : Numbers
+        Depth of each of two half-ellipses [m].
 
     Returns
     -------
@@ -398,18 +395,17 @@ def sheared_peak(
 
     Notes
     -----
-    e/ρ up to 1, e/depth up to 4, thin to very wide (b/e 1 to 40), any ν; fillets to h/r = 3.
+    e/ρ up to 1, e/depth up to 4, thin to very wide (b/e 1 to 40), any ν. Of fillets see
+    ``fillet.sheared_peak``.
 
     References
     ----------
-    Fitted here to solids of our own of 35 notches and 45 hinges with fillets: 0.35 to 0.55 of
-    shallow ones per e/ρ, 0.57 to 0.83 where e/depth is 1.1 to 2.2.
+    Fitted here to solids of our own of 35 notches: 0.35 to 0.55 of shallow ones per e/ρ, 0.57 to
+    0.83 where e/depth is 1.1 to 2.2.
 
     """
-    e, rho, straight = (np.asarray(size, dtype=np.float64) for size in (e, rho, straight))
-    beside = np.sqrt(e * rho / 3.0)
-    share = e / rho * (beside / (beside + straight / 2.0)) ** 1.5
-    return (SHEARED + SHALLOW * e / depth) * share, EITHER_WAY * share
+    e, rho = (np.asarray(size, dtype=np.float64) for size in (e, rho))
+    return (SHEARED + SHALLOW * e / depth) * e / rho, EITHER_WAY * e / rho
 
 
 CARDS: tuple[Card, ...] = (

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.notch import sheared_peak
+from flexcli.formulas import fillet, notch
 from flexcli.formulas.profile import Filleted, Notch
 from flexcli.mechanics.layout import Blade
 from flexcli.mechanics.mesh import Segment, column, pick
@@ -118,7 +118,7 @@ def beside_beam(blade: Blade, found: BladeStress) -> tuple[Floats, Floats] | Non
 
     References
     ----------
-    :func:`flexcli.formulas.notch.sheared_peak`.
+    :func:`flexcli.formulas.notch.sheared_peak`, :func:`flexcli.formulas.fillet.sheared_peak`.
 
     """
     if np.all(np.asarray(blade.peak[0]) == 1.0):
@@ -127,13 +127,32 @@ def beside_beam(blade: Blade, found: BladeStress) -> tuple[Floats, Floats] | Non
     l = column(np.hypot(*along))[:, None]
     match blade.profile:
         case Notch(e=e, depth=depth):
-            more, off = sheared_peak(e=e, rho=l**2 / (4.0 * depth), depth=depth)
+            more, off = notch.sheared_peak(e=e, rho=l**2 / (4.0 * depth), depth=depth)
+            sheared = found.sheared
+            return more * sheared, off * np.abs(sheared)
         case Filleted(h=h, r=r):
-            more, off = sheared_peak(e=h, rho=r, straight=l - 2.0 * r)
+            return _beside_fillets(found, fillet.sheared_peak(h=h, l=l, r=r))
         case _:
             return None
+
+
+def _beside_fillets(found: BladeStress, across: fillet.Sheared) -> tuple[Floats, Floats]:
+    """Return what a force across a blade with fillets adds to its bending stress, and its error.
+
+    By the smaller of two bounds: that both peaks are in one place, or that the peak of the moment
+    all along is where the force adds what it reaches.
+    """
     sheared = found.sheared
-    return more * sheared, off * np.abs(sheared)
+    added, size = across.more * sheared, np.abs(sheared)
+    least = across.off * size
+    apart = found.s[..., :1] - found.s[..., found.s.shape[-1] // 2][..., None]
+    per_length = np.abs(sheared[..., :1] * found.h[..., :1] ** 2 / apart)
+    peak = np.max((1.0 + across.more + across.off) * size, axis=-1, keepdims=True)
+    together = np.maximum(peak - size - np.abs(added), least)
+    reached = np.maximum(across.reach * per_length / found.h**2 - np.abs(added), least)
+    whole = np.abs(found.bending + added)
+    largest = [np.max(whole + off, axis=-1, keepdims=True) for off in (together, reached)]
+    return added, np.where(largest[0] <= largest[1], together, reached)
 
 
 def greatest_stress(state: Equilibrium) -> Peak:

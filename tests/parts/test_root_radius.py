@@ -1,14 +1,19 @@
 """Fillets at the roots of blades: stress and stiffness of plane bodies, the same in all models."""
 
+import numpy as np
 import pytest
 import yaml
 from plates import notched_plate
-from plates.filleted_blade import beam_compliances, beyond_beam, over_beam
+from plates.filleted_blade import beam_compliances, beyond_beam, edge_stresses, over_beam
 from pydantic import TypeAdapter
 
 import flexcli
 from flexcli.formulas import fillet, notch
 from flexcli.formulas.clamps import clamp_compliance, fillet_compliance, filleted_root
+from flexcli.formulas.profile import Filleted
+from flexcli.mechanics.layout import Blade
+from flexcli.mechanics.own_weight import blade_places
+from flexcli.mechanics.stresses import BladeStress, beside_beam
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import AnyGeometry
 from flexcli.parts.space_joint import SpaceJoint
@@ -83,7 +88,8 @@ def test_rigid_clamps_relieve_the_peaks_of_fillets_by_no_more_than_is_told(x):
     factors = fillet.bending_factor(**at), fillet.axial_factor(**at)
     told, bodies = (fillet.factors_above(**at, clamped=each) for each in (True, False))
     for wall, factor, share, less in zip(walls, factors, told, bodies, strict=True):
-        assert factor * (1.0 - share) <= wall <= factor * (1.0 + 2.0 * ELEMENTS)
+        assert factor * (1.0 - share) <= wall * (1.0 + 2.0 * ELEMENTS)
+        assert wall <= factor * (1.0 + 2.0 * ELEMENTS)
         assert x < 2.0 or factor * (1.0 - less) > wall
 
 
@@ -106,6 +112,52 @@ def test_the_stress_of_an_arc_between_rigid_clamps_is_that_of_a_plane_body(x, mo
     low, high = check.factor_range
     assert low <= true <= high
     assert high / low < (1.035 if x < 1.0 else 1.2)
+
+
+STRESSED = 1e-3
+"""Error of the stress at the edge of the finite elements."""
+
+
+@pytest.mark.parametrize("body", [None, (3.0, 3.0)])
+@pytest.mark.parametrize("straight", [0.5, 3.0, 12.0, 50.0])
+@pytest.mark.parametrize("x", [0.07, 0.4, 1.3, 5.0, 15.0])
+def test_a_moment_that_changes_along_a_blade_stresses_its_fillets_as_plane_bodies(
+    x, straight, body
+):
+    """Of every share of a moment that is the same all along, over the peak of that."""
+    _, (arc, s_shape) = edge_stresses(1.0 / x, straight, body=body)
+    blade = Blade(
+        "", "", "", (0.0, 0.0), (straight + 2.0 / x, 0.0), Filleted(1.0, 1.0 / x), 1.0, 0.0,
+        (arc.max(), 1.0),
+    )  # fmt: skip
+    s, h = blade_places(blade, straight + 2.0 / x)
+    falls = (s - s[len(s) // 2]) / (straight / 2.0)
+    for even in (-3.0, -0.5, 0.0, 0.3, 1.0, 4.0, 30.0):
+        bending = arc.max() * (even + falls)[None] / h**2
+        added, off = beside_beam(blade, BladeStress(s, bending, 0.0 * bending, h))
+        told = np.abs(bending + added)
+        true = max(np.max(np.abs(even * arc + sense * s_shape)) for sense in (-1.0, 1.0))
+        most, middle = np.max(told + off), np.max(told)
+        assert 2.0 * middle - most <= true * (1.0 + STRESSED)
+        assert true * (1.0 - STRESSED) <= most
+        assert most < middle * (1.02 if straight > 10.0 else 1.4)
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
+@pytest.mark.parametrize("x", [0.3, 1.0, 3.0])
+def test_the_stress_of_an_s_between_rigid_clamps_is_that_of_a_plane_body(x, model):
+    sizes = {"h": "1 mm", "l": f"{20.0 + 2.0 / x!r} mm", "b": "1 mm"}
+    said = {"kind": "guided-blade", **sizes, "root_radius": f"{1.0 / x!r} mm"}
+    text = yaml.safe_load(
+        design(said, {"yield": 1.0}, cases={"use": {"stroke": {"translation": "1 um"}}})
+    )
+    text["material"]["poisson_ratio"] = 0.0
+    low, high = flexcli.check(yaml.safe_dump(text), model=model).checks[-1].factor_range
+    _, (_, s_shape) = edge_stresses(1.0 / x, 20.0, nu=0.0)
+    travel, over = beam_compliances(1.0 / x, 20.0, nu=0.0)[1], over_beam(1.0 / x, 20.0, nu=0.0)[1]
+    stress = 200e9 * 1e-3 * over / travel * 6.0 * 10.0 * s_shape.max()
+    assert low <= 1e9 / stress <= high
+    assert high / low < (1.06 if x < 2.0 else 1.2)
 
 
 @pytest.mark.parametrize("straight", [0.5, 4.0])

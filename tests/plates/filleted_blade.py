@@ -13,9 +13,13 @@ from plates.line_elements import line_element
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 
-__all__ = ["beam_compliances", "beyond_beam", "over_beam"]
+__all__ = ["beam_compliances", "beyond_beam", "edge_stresses", "over_beam"]
 
-DEGREE = 5
+DEGREE, FINE = 5, 8
+"""Of stiffnesses, and where stresses are evaluated."""
+
+FREE = 0.97
+"""Share of a fillet on which the stress at its edge is evaluated: where it ends it has a corner."""
 
 
 def over_beam(r, straight, *, body=None, nu=0.3):
@@ -51,12 +55,64 @@ def beam_compliances(r, straight, *, nu=0.3):
     )
 
 
+def edge_stresses(r, straight, *, body=None, nu=0.3):
+    """Return places along the free edge and the stress there, bent to an arc and to an S.
+
+    Places are from where the fillet begins, into it; stresses over 6M/(b h²) of the moment there.
+    """
+    half = straight / 2.0
+    maps = _maps(r, half, body)
+    places, number, K = _assembled(maps, nu, FINE)
+    moved = list(_moved(places, K, half))
+    nodes, *_ = line_element(FINE)
+    at = np.linspace(-1.0, 1.0, 41)
+    back = np.linalg.inv(legendre.legvander(nodes, FINE))
+
+    def shape(where, order):
+        each = [legendre.legval(where, legendre.legder(c, order)) for c in np.eye(FINE + 1)]
+        return np.transpose(each) @ back
+
+    top = np.ones(1)
+    along, up = (
+        np.einsum("ai,bj->abij", *pair).reshape(len(at), -1)
+        for pair in ((shape(at, 1), shape(top, 0)), (shape(at, 0), shape(top, 1)))
+    )
+    s, stress = [], []
+    for ids in number:
+        x, y = places[ids].T
+        ends = places[ids.reshape(FINE + 1, -1)[:, -1]]
+        into = np.clip(-ends[:, 0], 0.0, r)
+        edge = 0.5 + r - np.sqrt(r**2 - into**2)
+        if ends[:, 0].min() < -r - 1e-9 or not np.allclose(ends[:, 1], edge, atol=1e-6):
+            continue
+        here = shape(at, 0) @ ends[:, 0]
+        free = here > -FREE * r
+        (x_s, y_s), (x_t, y_t) = ((d[free] @ x, d[free] @ y) for d in (along, up))
+        area = x_s * y_t - x_t * y_s
+        d_x = (along[free] * y_t[:, None] - up[free] * y_s[:, None]) / area[:, None]
+        d_y = (up[free] * x_s[:, None] - along[free] * x_t[:, None]) / area[:, None]
+        s.append(-here[free])
+        stress.append([(d_x @ u[ids] + d_y @ u[ids + len(places)]) / (1.0 - nu) for u, _ in moved])
+    # the two stresses beside a free edge add up to the one along it; moments are 1 and ½ straight
+    (_, turned), (_, sheared), _ = moved
+    per = np.array([1.0 / (6.0 * turned), 1.0 / (6.0 * sheared * half)])
+    order = np.argsort(np.concatenate(s))
+    return (
+        np.concatenate(s)[order],
+        np.abs(np.concatenate(stress, axis=1)[:2, order]) * per[:, None],
+    )
+
+
 def _stiffness(r, half, body, nu):
-    places, K = _assembled(_maps(r, half, body), nu)
+    places, _, K = _assembled(_maps(r, half, body), nu)
+    return [stiffness for _, stiffness in _moved(places, K, half)]
+
+
+def _moved(places, K, half):
+    """Yield the motions of a quarter, the ends moved by 1 against each other, and its stiffness."""
     n, (x, y) = len(places), places.T
     back, middle = (np.flatnonzero(np.abs(x - at) < 1e-9) for at in (x.min(), half))
     axis = np.flatnonzero(np.abs(y) < 1e-9)
-    found = []
     for on_axis, moved, by in (
         (axis, middle, -0.5 * y[middle]),
         (axis, middle + n, 0.5),
@@ -67,8 +123,7 @@ def _stiffness(r, half, body, nu):
         held = np.concatenate([back, back + n, on_axis, moved])
         free = np.setdiff1d(np.arange(2 * n), held)
         u[free] = splu(K[free][:, free]).solve(-(K @ u)[free])
-        found.append(4.0 * u @ (K @ u))  # of four quarters
-    return found
+        yield u, 4.0 * u @ (K @ u)  # of four quarters
 
 
 def _maps(r, half, body):
@@ -131,8 +186,7 @@ def _graded(length, first, ratio):
     return length / places[-1] * places
 
 
-def _assembled(maps, nu):
-    p = DEGREE
+def _assembled(maps, nu, p=DEGREE):
     nodes, _, w, N, D = line_element(p)
     along, up = (
         np.einsum("ai,bj->abij", *pair).reshape((p + 2) ** 2, -1) for pair in ((D, N), (N, D))
@@ -160,4 +214,5 @@ def _assembled(maps, nu):
         entries.append(np.block(k).ravel())
     rows = np.concatenate([np.repeat(dof, len(dof)) for dof in dofs])
     cols = np.concatenate([np.tile(dof, len(dof)) for dof in dofs])
-    return places, coo_matrix((np.concatenate(entries), (rows, cols)), (2 * n, 2 * n)).tocsc()
+    K = coo_matrix((np.concatenate(entries), (rows, cols)), (2 * n, 2 * n)).tocsc()
+    return places, number, K

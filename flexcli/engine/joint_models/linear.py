@@ -21,6 +21,7 @@ from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.linear import NODES
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import blade_places, direction
+from flexcli.mechanics.stresses import BladeStress, beside_beam
 from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, states_of
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
@@ -147,7 +148,10 @@ class LinearModel(JointModel):
         return "stress at the faces, bending with the axial force", self._judged(ask)[0]
 
     def _judged(self, ask: Ask) -> tuple[list[EndStress], float]:
-        """Return the worst stresses of a case, and how far blades' weight leaves the largest."""
+        """Return the worst stresses of a case, and how far the largest may be off.
+
+        By the weight of blades, and by what hinges have beside beams.
+        """
         return self._known.of("stresses", ask, lambda: self._judge_stress(ask))
 
     def _judge_stress(self, ask: Ask) -> tuple[list[EndStress], float]:
@@ -156,14 +160,22 @@ class LinearModel(JointModel):
         weights, stresses, most, off = BladeWeights.of(ask), list[EndStress](), 0.0, 0.0
         for index, blade in enumerate(found.layout.blades):
             axial, bending = forced_stress(blade, found.end_forces[:, index])
+            s, h = blade_places(blade, np.hypot(*np.subtract(blade.end, blade.start)))
+            hinge, own = beside_beam(blade, BladeStress(s, bending, axial, h)), 0.0
             if weights is not None:
                 added = weights.stress(index)
-                off = larger(off, weights.off(index, added, axial, bending, found.motions))
+                own = weights.off(index, added, axial, bending, found.motions)
                 axial, bending = axial + added[0], bending + added[1]
+            if hinge is not None:
+                bending = bending + hinge[0]
             faces = {"left": states_of(axial - bending), "right": states_of(axial + bending)}
-            most = larger(most, *(largest_of_each(np.abs(face)) for face in faces.values()))
+            here = larger(*(largest_of_each(np.abs(face)) for face in faces.values()))
+            if hinge is not None:
+                unsure = (np.abs(face) + states_of(hinge[1]) for face in faces.values())
+                own += larger(*map(largest_of_each, unsure)) - here
+            most, off = larger(most, here), larger(off, own)
             stresses.extend(worst_of_stroke(ask, blade.name, faces))
-        found_off = 0.0 if weights is None else off / larger(most, LEAST)
+        found_off = off / larger(most, LEAST)
         if hold_of(ask.scene).across and ask.scene.is_loaded and not ask.scene.moves:
             found_off = found_off + _by_stretching(found)
         if ask.scene.beyond:  # effects tell what loads do of which there are closed forms

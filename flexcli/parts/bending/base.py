@@ -185,14 +185,16 @@ class WideBlades(NamedTuple):
 class FilletedRoots(NamedTuple):
     """Change of a joint's closed forms by fillets at the roots of its blades.
 
-    ``stiffness`` and ``stress`` are of small motions, with the peak of the stress; ``shift`` is the
-    range of its change, ``arc`` the reduction of the rotation of a blade bent by a moment.
+    ``stiffness`` and ``stress`` are of small motions, with the peak of the stress, which may be
+    ``off`` by a share; ``shift`` is the range of its change, ``arc`` the reduction of the rotation
+    of a blade bent by a moment.
     """
 
     ratio: float
     """Largest r/l of a blade."""
     stiffness: float
     stress: float
+    off: float
     shift: tuple[float, float]
     arc: float
 

@@ -102,14 +102,13 @@ class RootRange(NamedTuple):
 class Roots(NamedTuple):
     """Ends of the blades of a joint: ν; rigid clamps, in a body, or maybe flush with its side.
 
-    ``fillet`` is the radius of their fillets, 0 for sharp corners; ``joined`` are bodies formed by
-    blades that meet, whose crossing has its own formula. A ν of ½ may be anything below.
+    In rigid clamps those with fillets alone give way. ``joined`` are bodies formed by blades that
+    meet, whose crossing has its own formula. A ν of ½ may be anything below.
     """
 
     nu: float
     is_rigid: bool
     flush: bool
-    fillet: float
     joined: frozenset[str]
 
     def compliance(self, h: float, b: float, r: float, share: float) -> RootRange:
@@ -213,7 +212,7 @@ class _Strip(NamedTuple):
     rooted: Rooted
     """The same, root by root."""
     shapes: tuple[tuple[float, float], ...]
-    """Relative changes of its shortening, arc and S, by fillets that give least and most."""
+    """Relative changes of its shortening, arc and S, by roots that give least and most."""
 
 
 def compliant_clamps(
@@ -258,14 +257,13 @@ def compliant_clamps(
     least = min(_arc(strip.blade, strip.least) for strip in strips)
     most = max(_arc(strip.blade, strip.most) for strip in strips)
     held_less = (1.0 + (least + most) / 2.0) ** -2
-    shapes = [shape for strip in strips for shape in strip.shapes]
     return CompliantClamps(
         max(strip.slender for strip in strips),
         Factor((low + high) / 2.0, low, high),
         (stress[0] - 1.0, stress[1] - 1.0),
         spread + max(softer) + highest - 1.0,
         Factor(min(max(held_less, lowest), highest), lowest, highest),
-        shift_within(shapes or map(_shortening, (least, most)), shift, (0.0, OF_NEXT)),
+        shift_within([x for strip in strips for x in strip.shapes], shift, (0.0, OF_NEXT)),
         max(*whole, *(strip.out for strip in strips)),
     )
 
@@ -371,11 +369,11 @@ def _strip(blade: Blade, roots: Roots) -> _Strip:
         of_these = (1.0 - STIFFEST) / -firmest
         rooted = rooted._replace(least=of_these * least, most=of_these * most)
     softened = rooted.softened(rooted.least) - beam, rooted.softened(rooted.most) - beam
-    shapes = tuple(
-        _filleted_shortening(blade.profile, l, b * each)
-        for each in (rooted.least, rooted.most)
-        if places and places[0].r
-    )
+    if places and places[0].r:
+        each = (rooted.least, rooted.most)
+        shapes = tuple(_filleted_shortening(blade.profile, l, b * root) for root in each)
+    else:
+        shapes = tuple(_shortening(_arc(beam, roots)) for roots in softened)
     return _Strip(beam, *softened, thickest / float(reach), out, rooted, shapes)
 
 
@@ -396,16 +394,18 @@ class _Place(NamedTuple):
 
 def _places(blade: Blade, l: float, roots: Roots) -> Iterator[_Place]:
     """Yield where the flexible parts of a blade end, or their fillets begin."""
-    if roots.fillet:
+    if isinstance(blade.profile, Filleted):
         straight = blade.profile.pieces(l)[1]
         h, r = (
             float(np.ravel(x)[0]) for x in (straight.thickness(PIECE), straight.position(PIECE))
         )
         yield from (_Place(r, 1.0, h, r, 1.0), _Place(l - r, -1.0, h, r, 1.0))
         return
+    if roots.is_rigid:
+        return
     pieces = blade.profile.pieces(l)
     ends = [np.ravel(piece.position(PIECE)) for piece in pieces]
-    open_ = not isinstance(blade.profile, Filleted | Notch)
+    open_ = not isinstance(blade.profile, Notch)
     for piece, own in zip(pieces, ends, strict=True):
         thickness = np.ravel(np.broadcast_to(piece.thickness(PIECE), 2))
         for index, inward in ((0, 1.0), (1, -1.0)):
@@ -436,12 +436,14 @@ def shift_within(
     By the changes of the shortening of an arc and of an S, of which there may be several, and
     between what errors that is known, as shares of it.
     """
+    each = list(shapes)
     found = list[float]()
-    for pure, bent in shapes:
+    for pure, bent in each:
         change = shift(pure, bent)
         if change is None:
-            return -CANCELS * abs(pure), CANCELS * abs(pure)
-        found += [change * (1.0 + each) for each in off]
+            most = CANCELS * max(abs(part) for shape in each for part in shape)
+            return -most, most
+        found += [change * (1.0 + part) for part in off]
     return min(found), max(found)
 
 

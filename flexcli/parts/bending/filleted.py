@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.linear import LinearSolution, linear
+from flexcli.mechanics.stresses import BladeStress, beside_beam
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import FilletedRoots
 from flexcli.parts.bending.compliant_clamps import Shift, shift_within
@@ -37,12 +38,12 @@ def filleted_roots(
         if not solution.unique.all():
             return None
         drive = float(solution.reactions[0, layout.index(MOVING), axis])
-        numbers.append((drive, _largest_stress(layout, solution)))
-    (drive, stress), (stiffer, peak) = numbers
+        numbers.append((drive, *_largest_stress(layout, solution)))
+    (drive, stress, _), (stiffer, peak, off) = numbers
     arcs = [_turn(new) / _turn(old) - 1.0 for old, new in _pairs(plain, filleted)]
     ratio = max(_radius_share(blade) for blade in filleted.blades)
     moved = shift_within(map(_shortened, filleted.blades), shift, (-OF_SHAPES, OF_SHAPES))
-    return FilletedRoots(ratio, stiffer / drive, peak / stress, moved, min(arcs))
+    return FilletedRoots(ratio, stiffer / drive, peak / stress, off / peak, moved, min(arcs))
 
 
 def _pairs(plain: Layout, filleted: Layout) -> list[tuple[Blade, Blade]]:
@@ -70,12 +71,9 @@ def _shortened(blade: Blade) -> tuple[float, float]:
 
     Of an arc what its slope is beside its mean, half the rotation, shortens it more or less.
     """
-    l, s, curved = _length(blade), list[Floats](), list[Floats]()
-    for piece in blade.profile.pieces(l):
-        s.append(np.ravel(piece.position(PLACES)))
-        curved.append(1.0 / np.broadcast_to(piece.thickness(PLACES), PLACES.shape) ** 3)
-    places = np.concatenate(s)
-    softness = np.concatenate(curved) / np.max(np.concatenate(curved))
+    l = _length(blade)
+    places, h = _along(blade, l)
+    softness = (np.min(h) / h) ** 3
     arc = _integrated(softness, places)
     arc = arc / arc[-1] - 0.5
     bent = _integrated(softness * (1.0 - 2.0 * places / l), places)
@@ -92,15 +90,27 @@ def _integrated(values: Floats, places: Floats) -> Floats:
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
-def _largest_stress(layout: Layout, solution: LinearSolution) -> float:
-    """Return the largest bending stress in any blade, with its peak."""
-    found = 0.0
+def _largest_stress(layout: Layout, solution: LinearSolution) -> tuple[float, float]:
+    """Return the largest bending stress in any blade, with its peak, and how far it may be off."""
+    found = most = 0.0
     for blade, force in zip(layout.blades, solution.end_forces[0], strict=True):
         x, y = np.subtract(blade.end, blade.start)
         l = _length(blade)
         across = (x * force[1] - y * force[0]) / l
-        for piece in blade.profile.pieces(l):
-            moment = force[2] + across * (l - piece.position(PLACES))
-            stress = 6.0 * np.abs(moment) / (blade.b * piece.thickness(PLACES) ** 2)
-            found = max(found, float(blade.peak[0]) * float(stress.max()))
-    return found
+        s, h = _along(blade, l)
+        bending = float(blade.peak[0]) * 6.0 * (force[2] + across * (l - s)) / (blade.b * h**2)
+        added, off = beside_beam(blade, BladeStress(s, bending, 0.0 * s, h)) or (0.0, 0.0)
+        stress = np.abs(bending + added)
+        found, most = max(found, float(stress.max())), max(most, float((stress + off).max()))
+    return found, most - found
+
+
+def _along(blade: Blade, l: float) -> tuple[Floats, Floats]:
+    """Return places along the pieces of a blade, and its thickness there [m]."""
+    pieces = blade.profile.pieces(l)
+    return (
+        np.concatenate([np.ravel(piece.position(PLACES)) for piece in pieces]),
+        np.concatenate(
+            [np.broadcast_to(np.ravel(x.thickness(PLACES)), PLACES.shape) for x in pieces]
+        ),
+    )

@@ -10,9 +10,10 @@ from flexcli.formulas import pivot, plate_shortening, thick_blades
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
+from flexcli.formulas.clamps import pure_bending_peak
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
-from flexcli.numerics.rows import cos, larger, number, one_alone, tan
+from flexcli.numerics.rows import Number, cos, larger, number, one_alone, smaller, tan
 from flexcli.parts.bending.base import (
     NOTCH_PULLED,
     PULLED,
@@ -44,6 +45,10 @@ if TYPE_CHECKING:
     from flexcli.mechanics.layout import Layout
 
 __all__ = [
+    "LEAST_STRAIGHT",
+    "fillets_hold",
+    "held_less",
+    "middle_bears",
     "wide_by_shapes",
     "wide_cantilever",
     "wide_drawn",
@@ -62,6 +67,24 @@ NECKS_BUCKLED = 0.2
 sideways, or on pins, may differ from it: plates with a rigid middle of 0 to 40 hinges' lengths
 between them had 0.1 at most."""
 
+
+SHAPES = plates.pure_bending_factor, plates.guided_factor
+"""Factors of both shapes of a clamped blade, an arc and an S."""
+
+LEAST_STRAIGHT = 0.01
+"""Share of a blade's length to which its fillets shorten it at most: far wider than long."""
+
+BLUNT = 20.0
+"""Square of b/√(h r) at which fillets of a radius r hold half of what a clamp does: plates of their
+profile in an arc had 0.28, 0.51 and 0.91 at b/√(h r) = 0.9, 2.4 and 10, all of it from 20 on; less
+is taken of other shapes (a square of that)."""
+
+FILLETS_CLAMP = 0.12
+"""Share of the peak in the middle of a clamp that fillets have, over b/h, and over b/√(h r) where
+they are blunt: a clamp curls back over a length like b, and they give way over √(h r). The whole of
+it at most: solids of b/h 1 to 30, l/h 20 and 50, r/h 0.5 to 7 had 0.09 over b/h in narrow blades,
+and up to 0.9 of it in wide ones, ν = 0.34; r/h 2 to 100, b/h 0.7 to 20, ν 0.3 and 0.45 had 0.08
+over b/√(h r)."""
 
 LET_OFF = 0.1
 """Part of the change of a pivot's factors by stretching and shear that may be wrong: springs in
@@ -193,30 +216,36 @@ def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
     return WideBlades(b / l_c, stiffness, stiffness, held, (0.0, share * pure))
 
 
-def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool) -> WideBlades:
+def wide_drawn(
+    blades: Iterable[tuple[Blade, Computed | None]], nu: float, *, springs: bool
+) -> WideBlades:
     """Return the range of the factors of drawn blades, from the least to the greatest.
 
-    Each is given where it is thinnest, and whether its thickness is constant; springs that are not
-    blades take their share.
+    Each is given where it is thinnest, with the length over which it is as thick as there but for
+    fillets at its ends, nothing where its thickness varies otherwise; springs that are not blades
+    take their share.
     """
     found, hinged, kept = list[Factor](), list[Factor](), list[Factor]()
     most = path = pulled = 0.0
-    for given, constant in blades:
-        pulled = larger(pulled, PULLED if constant else NOTCH_PULLED)
+    for given, straight in blades:
         blade = floats(given)
         most = larger(most, blade.b / blade.l)
-        pure = blade_factor(plates.pure_bending_factor, blade, nu)
-        if constant:
-            bent = blade_factor(plates.guided_factor, blade, nu)
-            found.append(Factor((pure.value + bent.value) / 2.0, pure.low, bent.high))
-            hinged.append(buckling(blade, nu, HINGED))
-            kept.append(buckled(blade, nu))
-            path = larger(path, *shortening(blade, nu))
-        else:
-            found.append(between(pure.low, nu))
+        if straight is None:
+            pulled = NOTCH_PULLED
+            found.append(between(blade_factor(plates.pure_bending_factor, blade, nu).low, nu))
             kept.append(between(1.0, nu))
             hinged.append(kept[-1])
             path = number(plates.bound(nu)) / 5.0
+            continue
+        pulled = larger(pulled, PULLED if number(straight) == blade.l else NOTCH_PULLED)
+        held = fillets_hold(blade, straight)
+        for each in shortened(blade, straight):
+            pure, bent = (blade_factor(f, each, nu) for f in SHAPES)
+            factor = Factor((pure.value + bent.value) / 2.0, pure.low, bent.high)
+            found.append(held_less(factor, held))
+            hinged.append(held_less(buckling(each, nu, HINGED), held))
+            kept.append(held_less(buckled(each, nu), held))
+            path = larger(path, *shortening(each, nu))
     any_shape = hull(found)
     stiffness = hull([any_shape, Factor(1.0, 1.0, 1.0)]) if springs else any_shape
     flat = 1.0 + number(plates.bound(nu))
@@ -230,16 +259,50 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
     return WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path), pulled=pulled)
 
 
-def wide_by_shapes(
-    plain: WideBlades, blades: Sequence[Blade], nu: float, layout: "Layout", held: Held
-) -> WideBlades:
-    """Return the factors of drawn blades of constant thickness, from a layout's beams.
+def shortened(blade: Blade, straight: Computed) -> tuple[Blade, ...]:
+    """Return a blade, and as it would be without its fillets, where it has some."""
+    straight = number(straight)
+    if straight == blade.l:
+        return (blade,)
+    return blade, blade._replace(l=larger(straight, LEAST_STRAIGHT * blade.l))
 
-    ``held`` is a unit travel of its moving body, ``plain`` the factors known without. A clamped
-    blade takes the even and the odd part of its bending, and what stretches it, each by its own
-    factor. With the motions of the beams the energy of the plates is an upper bound, with their
-    forces a lower.
+
+def fillets_hold(blade: Blade, straight: Computed) -> Number:
+    """Return the share of what a clamp holds of a blade that fillets at its ends hold at least.
+
+    ``y²/(y² + 20)``, y = b/√(h r): a narrow blade curls and narrows where blunt ones begin.
     """
+    h, l, b = (number(size) for size in blade)
+    r = (l - number(straight)) / 2.0
+    return number(b**2 / (b**2 + BLUNT * h * r))
+
+
+def held_less(factor: Factor, share: Number) -> Factor:
+    """Return a factor of which no more than a share of what stiffens a blade is sure."""
+    return factor._replace(low=smaller(factor.low, 1.0 + share * (factor.low - 1.0)))
+
+
+def middle_bears(h: Number, r: Number, l: Number, b: Number, nu: float) -> Number:
+    """Return by what share the middle of fillets may bear more of a moment than its mean [-]."""
+    share = smaller(FILLETS_CLAMP * b / larger(h, (h * r) ** 0.5), 1.0)
+    return share * (number(pure_bending_peak(b=b, l=l, poisson_ratio=nu)) - 1.0)
+
+
+def wide_by_shapes(
+    plain: WideBlades,
+    blades: Sequence[tuple[Blade, float]],
+    nu: float,
+    layout: "Layout",
+    held: Held,
+) -> WideBlades:
+    """Return the factors of drawn blades of constant thickness but for fillets, from their beams.
+
+    ``held`` is a unit travel of its moving body, ``plain`` the factors known without; each blade is
+    given with its length between the fillets. A clamped blade takes the even and the odd part of
+    its bending, and what stretches it, each by its own factor. With the motions of the beams the
+    energy of the plates is an upper bound, with their forces a lower.
+    """
+    from flexcli.formulas.notch_compliance import planar_compliance
     from flexcli.mechanics.linear import linear
     from flexcli.parts.bending.drawn_shift import drawn_path
 
@@ -250,23 +313,33 @@ def wide_by_shapes(
     axis = next(i for i in (2, 1) if held[i])
     whole = number(solution.reactions[0, layout.index(MOVING), axis])
     more = less = 0.0  # of twice the energy
-    each, bends, curved, most_bent = [], (0.0, 0.0), 0.0, blades[0]
-    for blade, strip, force in zip(blades, layout.blades, solution.end_forces[0], strict=True):
+    each, bends, curved, most_bent, middle_more = [], (0.0, 0.0), 0.0, blades[0][0], 0.0
+    for (blade, straight), strip, force in zip(
+        blades, layout.blades, solution.end_forces[0], strict=True
+    ):
         h, l, b = blade
         x, y = np.subtract(strip.end, strip.start)
         last = number(force[2])
         first = last + number(force[1] * x - force[0] * y)
         even, odd = (first + last) / 2.0, (first - last) / 2.0
         compliance = l / number(second_moment(b, h))
-        pure, bent = (
-            blade_factor(f, blade, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
+        alike, kept = shortened(blade, straight), fillets_hold(blade, straight)
+        pure, bent, stretched = (
+            held_less(hull(factors), kept)
+            for factors in (
+                *([blade_factor(f, one, nu) for one in alike] for f in SHAPES),
+                [along_factor(one, nu) for one in alike],
+            )
         )
-        along, shear = number(force[0] * x + force[1] * y) / l, shear_of(blade, nu)
+        along = number(force[0] * x + force[1] * y) / l
+        C = planar_compliance(strip.profile, E=1.0, l=l, b=b, a=l / 2.0, G=0.5 / (1.0 + nu))
         parts = (
-            (even**2 * compliance, pure),
-            (odd**2 / 3.0 * compliance * (1.0 + shear), bent),
-            (along**2 * l / (b * h), along_factor(blade, nu)),
+            (even**2 * number(C[..., 2, 2]), pure),
+            ((2.0 * odd / l) ** 2 * number(C[..., 1, 1]), bent),
+            (along**2 * number(C[..., 0, 0]), stretched),
         )
+        if straight < l:
+            middle_more = larger(middle_more, middle_bears(h, (l - straight) / 2.0, l, b, nu))
         more += sum(energy * (factor.high - 1.0) for energy, factor in parts)
         less += sum(energy * (1.0 / factor.low - 1.0) for energy, factor in parts)
         ends = abs(even) + abs(odd)
@@ -287,13 +360,15 @@ def wide_by_shapes(
     at = hull(each)
     spread = at.high - at.low
     # what one blade takes more of than another adds to its own factor
-    stress = Factor(at.value, larger(1.0 - spread, at.low - spread), at.high + spread)
+    stress = Factor(at.value, larger(1.0 - spread, at.low - spread), at.high + spread + middle_more)
     middle, least = (low + high) / 2.0, plain.stiffness.low
     most = 1.0 + number(plates.bound(nu))
     other = larger(most / middle - 1.0, 1.0 - least / middle)
     stiffness = Factor(middle, larger(1.0, low), high, other)
     found = plain._replace(stiffness=stiffness, stress=stress, bends=bends, bent=tuple(most_bent))
-    return found._replace(path=drawn_path(blades, nu, layout, held))
+    if any(straight < blade.l for blade, straight in blades):
+        return found
+    return found._replace(path=drawn_path([blade for blade, _ in blades], nu, layout, held))
 
 
 def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:

@@ -170,7 +170,8 @@ class RootRadius(ModelEffect):
             changes["buckling"] = Change(0.0, more, more, 1)
         if setting.largest_travel:
             loaded = any(scene.is_loaded for scene in setting.scenes)
-            changes["stress"] = UNKNOWN if loaded else whole(found.stress - 1.0, OF_CREST)
+            crest = whole(found.stress - 1.0, OF_CREST + found.off)
+            changes["stress"] = UNKNOWN if loaded else crest
             changes["shift"] = _between(*found.shift)
         if not setting.sags_along_stroke:
             changes["sag"] = UNKNOWN

@@ -11,7 +11,8 @@ from flexcli.formulas.plates_under_force import under_force
 from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending import Change, Changes, Factor, WideAcross, WideBlades
 from flexcli.parts.bending.base import UNEVEN
-from flexcli.parts.bending.wide import wide_guided
+from flexcli.parts.bending.plate_range import floats
+from flexcli.parts.bending.wide import LEAST_STRAIGHT, fillets_hold, held_less, wide_guided
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.axial_load import largest_load
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -127,10 +128,6 @@ def _stress(wide: WideBlades, setting: Setting, known: bool) -> Change:
     return wide_guided(blade, setting.poisson_bound).stress.change(known)
 
 
-LEAST_STRAIGHT = 0.01
-"""Share of a blade's length to which its fillets shorten it at most: far wider than long."""
-
-
 def wide_of(setting: Setting) -> WideBlades | None:
     """Return the factors of a design's wide blades, for ν = ½ where it is not given."""
     return _LAST.of(setting)
@@ -144,20 +141,22 @@ def _without_fillets(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades 
         return found
     straight = larger(sizes.l - 2.0 * radius, LEAST_STRAIGHT * sizes.l)
     short = geometry.wide_blades(sizes._replace(l=straight), nu)
-    if short is None:
+    blade = geometry.blade(sizes)
+    if short is None or blade is None:
         return found
+    held = fillets_hold(floats(blade), straight)
+
+    def either(one: Factor, other: Factor) -> Factor:
+        low, high = smaller(one.low, other.low), larger(one.high, other.high)
+        return held_less(one._replace(low=low, high=high), held)
+
     return found._replace(
-        stiffness=_either(found.stiffness, short.stiffness),
-        stress=_either(found.stress, short.stress),
+        stiffness=either(found.stiffness, short.stiffness),
+        stress=either(found.stress, short.stress),
         buckling={
-            ends: _either(factor, short.buckling[ends]) for ends, factor in found.buckling.items()
+            ends: either(factor, short.buckling[ends]) for ends, factor in found.buckling.items()
         },
     )
-
-
-def _either(one: Factor, other: Factor) -> Factor:
-    """Return the first factor, with the second in its range."""
-    return one._replace(low=smaller(one.low, other.low), high=larger(one.high, other.high))
 
 
 class _Last:

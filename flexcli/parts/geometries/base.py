@@ -562,6 +562,11 @@ class Geometry(Part):
         """Return the range of its blades' stiffness over beams' by being one piece, any way [-]."""
         return 1.0, 1.0
 
+    @property
+    def has_fillets(self) -> bool:
+        """Return whether any of its blades has fillets at its roots."""
+        return False
+
     def fillet(self, sizes: Sizes) -> Computed:
         """Return the radius of the fillets at the roots of all its blades, 0 for none [m]."""
         return 0.0

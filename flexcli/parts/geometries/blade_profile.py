@@ -14,10 +14,10 @@ from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.numerics.rows import number, one_by_one, smaller
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
 from flexcli.parts.bending.base import Thick
-from flexcli.parts.bending.thick import thick_fillets, thick_notch
+from flexcli.parts.bending.thick import thick_notch
 from flexcli.parts.geometries.base import Extent
 
-__all__ = ["AnyProfile", "BladeProfile", "ConstantProfile"]
+__all__ = ["AnyProfile", "BladeProfile", "ConstantProfile", "FilletedProfile"]
 
 Fraction = Annotated[float, QuantityOf("ratio", at_least=0.0)]
 
@@ -45,6 +45,10 @@ class BladeProfile(Part):
         """Return the radius where the shape meets a body, or of its throat; 0 if sharp [m]."""
         return 0.0
 
+    def straight(self, l: float) -> float | None:
+        """Return over what length it is as thick, None where more than fillets vary [m]."""
+        return None
+
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
         """Return the stress concentration factors of the shape in bending and along the blade."""
         return 1.0, 1.0
@@ -54,7 +58,7 @@ class BladeProfile(Part):
         return 0.0, 0.0
 
     def thick(self, size: Numbers, l: float) -> Thick | None:
-        """Return its change by plane elasticity, where it is a notch or has fillets."""
+        """Return its change by plane elasticity, where it is a notch."""
         return None
 
     def turn(self, size: Numbers, l: float) -> float:
@@ -77,6 +81,10 @@ class ConstantProfile(BladeProfile):
     def shape(self, size: Any) -> shapes.Profile:
         """Return h."""
         return shapes.Constant(size)
+
+    def straight(self, l: float) -> float:
+        """Return all of it."""
+        return l
 
 
 class NeckedDownProfile(BladeProfile):
@@ -143,6 +151,10 @@ class FilletedProfile(BladeProfile):
         """Return that of its fillets."""
         return self.r
 
+    def straight(self, l: float) -> float:
+        """Return the length between its fillets."""
+        return l - 2.0 * self.r
+
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
         """Return those of its fillets."""
         at = {"h": size, "l": l, "r": self.r}
@@ -153,10 +165,6 @@ class FilletedProfile(BladeProfile):
         above = partial(fillet.factors_above, clamped=clamped)
         bent, along = one_by_one(above, size, l, self.r)
         return bent, along
-
-    def thick(self, size: Numbers, l: float) -> Thick:
-        """Return the factor of the fillets."""
-        return thick_fillets(h=size, r=self.r, l=l, turn=self.turn(size, l))
 
     def misfit(self, l: float) -> str:
         """Return that two fillets are longer than the blade."""

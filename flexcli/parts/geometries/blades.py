@@ -13,7 +13,7 @@ from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.card import SLENDER, Range
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
-from flexcli.numerics.rows import number, one_by_one
+from flexcli.numerics.rows import one_by_one
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import CompliantClamps, FilletedRoots
 from flexcli.parts.elastic import Elastic
@@ -50,7 +50,7 @@ class ClampedBlades(Geometry):
 
     def compliant_clamps(self, sizes: Sizes, nu: float) -> CompliantClamps | None:
         """Return the changes by roots in one piece with bodies, and fillets beyond their beam."""
-        roots = self._roots(sizes, nu)
+        roots = self._roots(nu)
         if roots is None:
             return None
         from flexcli.parts.bending.compliant_clamps import compliant_clamps
@@ -64,21 +64,21 @@ class ClampedBlades(Geometry):
 
     def root_springs(self, sizes: Sizes, nu: float) -> Floats | None:
         """Return what roots in one piece with bodies, and fillets beyond their beam, add."""
-        roots = self._roots(sizes, nu)
+        roots = self._roots(nu)
         if roots is None:
             return None
         from flexcli.parts.bending.compliant_clamps import root_springs
 
         return root_springs(self.blades_layout(Elastic(1.0, nu), sizes), roots)
 
-    def _roots(self, sizes: Sizes, nu: float) -> "Roots | None":
-        """Return how its blades end, None where that is in rigid clamps."""
-        is_rigid, radius = self.clamps in (None, "rigid"), number(self.fillet(sizes))
-        if is_rigid and not radius:
+    def _roots(self, nu: float) -> "Roots | None":
+        """Return how its blades end, None where that is in rigid clamps, without fillets."""
+        is_rigid = self.clamps in (None, "rigid")
+        if is_rigid and not self.has_fillets:
             return None
         from flexcli.parts.bending.compliant_clamps import Roots
 
-        return Roots(nu, is_rigid, self.clamps == "monolithic-flush", radius, self.joined_in)
+        return Roots(nu, is_rigid, self.clamps == "monolithic-flush", self.joined_in)
 
     def with_compliant_clamps(self) -> Geometry | None:
         """Return it cut from one piece where the spec does not state its clamps."""
@@ -145,6 +145,11 @@ class BladeGeometry(ClampedBlades):
     @abstractmethod
     def blade_count(self) -> int:
         """Return the number of blades."""
+
+    @property
+    def has_fillets(self) -> bool:
+        """Return whether its blades have some."""
+        return self.root_radius is not None
 
     def fillet(self, sizes: Sizes) -> Computed:
         """Return the radius of the fillets, 0 for sharp corners [m]."""

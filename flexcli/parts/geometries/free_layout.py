@@ -11,15 +11,15 @@ from pydantic_core import InitErrorDetails
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade, Body, Layout, Number, Point, Support
 from flexcli.numerics.collocation import gauss_nodes
-from flexcli.numerics.rows import larger
+from flexcli.numerics.rows import larger, number
 from flexcli.parts.base import spec_error
 from flexcli.parts.bending import Thick, WideBlades
 from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.bending.wide import wide_by_shapes, wide_drawn
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Sizes
+from flexcli.parts.geometries.base import GROUND, MOVING, ROUNDING, Critical, Extent, Sizes
 from flexcli.parts.geometries.base import Blade as WideBlade
-from flexcli.parts.geometries.blade_profile import ConstantProfile
+from flexcli.parts.geometries.blade_profile import FilletedProfile
 from flexcli.parts.geometries.blades import ClampedBlades
 from flexcli.parts.geometries.layout_clearances import rooms
 from flexcli.parts.geometries.layout_faults import Drawing, faults
@@ -36,6 +36,10 @@ from flexcli.parts.geometries.notch import CONCENTRATION, Concentration
 from flexcli.parts.geometries.redrawn import Drawn
 
 __all__ = ["FreeLayout"]
+
+GUIDES = 10.0
+"""Distance of blades side by side over their thickness from which on what they stretch turns the
+body by a hundredth of what bends them at most."""
 
 _NODES = 24
 """Gauss nodes on a piece of a blade for its volume, exact to rounding for every profile."""
@@ -211,19 +215,56 @@ class FreeLayout(Drawn, ClampedBlades):
                 WideBlade(
                     drawn.thickness.thinnest(self.size_of(name, sizes)), drawn.length, drawn.b
                 ),
-                isinstance(drawn.thickness, ConstantProfile),
+                drawn.thickness.straight(drawn.length),
             )
             for name, drawn in self.blades.items()
         ]
         plain = wide_drawn(blades, nu, springs=bool(self.supports))
-        if not all(constant for _, constant in blades):
+        even = [
+            (WideBlade(*map(float, blade)), straight)
+            for blade, straight in blades
+            if straight is not None
+        ]
+        if len(even) < len(blades):
             return plain
-        each = [WideBlade(*map(float, blade)) for blade, _ in blades]
         layout = self.layout(Elastic(1.0, nu), sizes)
-        return wide_by_shapes(plain, each, nu, layout, self.held(1.0))
+        return wide_by_shapes(plain, even, nu, layout, self.held(1.0))
+
+    @property
+    def has_fillets(self) -> bool:
+        """Return whether any of its blades has fillets at its ends."""
+        return any(isinstance(blade.profile, FilletedProfile) for blade in self.blades.values())
+
+    def shift_change(self, sizes: Sizes, pure: float, bent: float) -> float | None:
+        """Return that of blades bent to an S, where alike ones guide the body's point amid them."""
+        along = self.moves.translation
+        if along is None or self.supports or len(self.blades) < 2:
+            return None
+        alike, places = set(), list[float]()
+        for name, blade in self.blades.items():
+            ends = dict(zip(blade.between, (blade.start, blade.end), strict=True))
+            if set(ends) != {GROUND, self.moving}:
+                return None
+            l = blade.length
+            arm = np.subtract(ends[self.moving], ends[GROUND]) / l
+            if abs(arm[0] * cos(along) + arm[1] * sin(along)) > ROUNDING:
+                return None
+            h = number(blade.thickness.thinnest(self.size_of(name, sizes)))
+            straight = blade.thickness.straight(l)
+            if straight is None:
+                return None
+            of_whole = np.array([h, l, blade.b, straight]) / self.length(sizes)
+            alike.add((*np.round(of_whole, 9), *np.round(arm, 9)))
+            away = np.subtract(blade.start, self.bodies[self.moving].at)
+            places.append(float(away[0] * cos(along) + away[1] * sin(along)))
+        places.sort()
+        # else the point leaves its path as the body turns
+        even = np.allclose(places, np.negative(places[::-1]), rtol=0.0, atol=ROUNDING * l)
+        far = places[-1] - places[0] >= GUIDES * h
+        return bent if even and far and len(alike) == 1 else None
 
     def thick_notches(self, sizes: Sizes) -> Thick | None:
-        """Return the range of the factors of its blades that are notches or have fillets."""
+        """Return the range of the factors of its blades that are notches."""
         each = [
             blade.thickness.thick(self.size_of(name, sizes), blade.length)
             for name, blade in self.blades.items()

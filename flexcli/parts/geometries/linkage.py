@@ -252,6 +252,11 @@ class LinkageGeometry(Geometry):
 
         return linked_clamps(each)
 
+    @property
+    def has_fillets(self) -> bool:
+        """Return whether any of its flexures has blades with fillets."""
+        return any(flexure.has_fillets for _, flexure in self.flexures())
+
     def with_compliant_clamps(self) -> Geometry | None:
         """Return it with such flexures where the spec does not state their clamps."""
         found = {

@@ -12,16 +12,16 @@ from pydantic_core import CoreSchema
 
 from flexcli.formulas import fillet, hinge_shift, notch, notch_compliance, thick_notch
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.clamps import pure_bending_peak
 from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.thick_notch import Blocks as BesideNotch
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
-from flexcli.numerics.rows import larger, number, one_by_one, smaller
+from flexcli.numerics.rows import larger, number, one_by_one
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.arc import Arc
+from flexcli.parts.bending.wide import middle_bears
 from flexcli.parts.bending.wide_notch import wide_notch
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import (
@@ -56,13 +56,6 @@ Concentration = Literal["deep-notch", "none"]
 CONCENTRATION: Concentration = "deep-notch"
 
 MASSIVE: Final = "massive"
-
-FILLETS_CLAMP = 0.12
-"""Share of the peak in the middle of a clamp that fillets have, over b/h, and over b/√(h r) where
-they are blunt: a clamp curls back over a length like b, and they give way over √(h r). The whole of
-it at most: solids of b/h 1 to 30, l/h 20 and 50, r/h 0.5 to 7 had 0.09 over b/h in narrow blades,
-and up to 0.9 of it in wide ones, ν = 0.34; r/h 2 to 100, b/h 0.7 to 20, ν 0.3 and 0.45 had 0.08
-over b/√(h r)."""
 
 SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of the stress"
 
@@ -476,10 +469,8 @@ class FilletedHinge(NotchGeometry):
         found = super().wide_blades(sizes, nu)
         if found is None:
             return None
-        h, r, _, b = map(number, sizes)
-        share = smaller(FILLETS_CLAMP * b / larger(h, (h * r) ** 0.5), 1.0)
-        peak = number(pure_bending_peak(b=sizes.b, l=sizes.l, poisson_ratio=nu))
-        more, wider = share * (peak - 1.0), found.stiffness.high - 1.0
+        h, r, l, b = map(number, sizes)
+        more, wider = middle_bears(h, r, l, b, nu), found.stiffness.high - 1.0
         high = larger(found.stress.high, 1.0 + more)
         # what bends it to an S raises the middle of its fillets no more than a moment
         pulled = larger(found.pulled, more / wider) if wider > 0.0 else found.pulled

@@ -6,7 +6,7 @@ from math import pi
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import Number, larger, number
+from flexcli.numerics.rows import Number, larger
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
@@ -243,7 +243,7 @@ class Ask(NamedTuple):
         """
         scene = self.scene
         plain = not scene.is_loaded and scene.temperature is None
-        return plain and not self.clamp_softening and not number(self.geometry.fillet(self.sizes))
+        return plain and not self.clamp_softening and not self.geometry.has_fillets
 
 
 class JointModel(ABC):
