@@ -29,7 +29,7 @@ from flexcli.mechanics.space.states import (
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask, Told
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import IN_PLANE, Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
 from flexcli.parts.space_states import KNOWN, TURNS, UNEVEN, acting_groups, third_order
 from flexcli.results import EXACT, ErrorRange
@@ -192,8 +192,9 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
     The second order where it is known, of blades of constant thickness; else 1/(1 − s) of the
     share s of the wrench at which straight blades buckle in the plane, whichever way it acts, or
     half as much again as that second order, as what loads in other directions move along it is of
-    its kind; and the square of the rotation of the body, or of the chord of its blades. Besides,
-    what curvature keeps flat of even blades, stiffer by up to 1/(1 − ν²).
+    its kind; and the square of the rotation of the body, or of the chord of its blades, and, beside
+    a guide, of the share of loads out of the plane that turns its blades aside. Besides, what
+    curvature keeps flat of even blades, stiffer by up to 1/(1 − ν²).
 
     """
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
@@ -216,6 +217,11 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
         least = min(member.l for member in joint.assembly.members)
         chord = float(np.linalg.norm(moved[:3])) / least
         share += TURNS * max(float(moved[3:] @ moved[3:]), chord**2)
+    if ask.geometry.is_guided:
+        across = np.where(np.isin(np.arange(6), IN_PLANE), 0.0, load)
+        aside = action(joint.assembly, Acting(0.0, along.T @ across, body.point, np.zeros(3)))
+        # of a strip that a force along its width nearly turns aside; a guide lets it bear more
+        share += aside.following().buckling ** 2
     more = _amplified(share)
     return None if more is None else more + _flattened(state)
 
