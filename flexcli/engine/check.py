@@ -13,6 +13,7 @@ from flexcli.engine.models import NamedModel, model_series, series_of
 from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.ends import FREE
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import JointModel
 from flexcli.parts.requirements.base import HELD_ACROSS
@@ -125,6 +126,7 @@ def judged(
             *_shaken(design, sizes, joint_model, found),
             *_without_loads(design, sizes, found),
             *_of_upright(design, sizes, found),
+            *_held_in_plane(design, sizes, joint_model),
         ),
         cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=by_model),
     )
@@ -170,6 +172,28 @@ def _without_loads(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterat
                     f"{share}; stiffness and frequency are judged without them"
                 )
                 yield Note("without-loads", text)
+
+
+def _held_in_plane(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> Iterator[Note]:
+    """Yield the cases whose ends or lock are taken to hold a body that may else leave its plane."""
+    mechanism = design.mechanism
+    if mechanism is not None and mechanism.joints > 1:
+        return
+    for scene in map(design.scene, design.cases):
+        held = scene.lock is not None or scene.ends not in (None, FREE)
+        if not held or not scene.is_loaded or scene.in_space or scene.on_bodies:
+            continue
+        from flexcli.engine.lateral_factor import lateral_factor
+
+        free = scene._replace(ends=FREE, ends_why="", lock=None)
+        bound = lateral_factor(design.ask(free, sizes, joint_model), as_stated=False)
+        if bound < 1.0:
+            by = f"ends: {scene.ends}" if scene.lock is None else f"lock: {scene.lock}"
+            text = (
+                f"{by} of case '{scene.case}' is taken to hold the body in its plane as well; by "
+                f"its blades alone it may leave it from {bound:.3g} of its loads on"
+            )
+            yield Note("held-in-plane", text)
 
 
 def _of_upright(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:

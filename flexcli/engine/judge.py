@@ -13,12 +13,13 @@ from typing import NamedTuple
 
 from flexcli.engine import assess
 from flexcli.engine.models import NamedModel
+from flexcli.engine.plane_stability import PlaneStability
 from flexcli.errors import SolveError
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import ANY, Buckled, NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
-from flexcli.parts.requirements import Ask, CriticalShare, Limit, Requirement, RequirementError
+from flexcli.parts.requirements import Ask, Limit, Requirement, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import (
@@ -64,9 +65,6 @@ WOULD_LOOK = {
 
 OUT_OF_PLANE = frozenset({LoadKind.WRENCH, LoadKind.ACCELERATION, LoadKind.TEMPERATURE})
 """Loads that only a model of the whole joint looks at, where they act out of its plane."""
-
-PUSHING = frozenset({LoadKind.LOAD, LoadKind.WRENCH, LoadKind.ACCELERATION})
-"""Loads that may buckle a narrow joint out of its plane."""
 
 FAR = 1.5
 """Factors over the required one beyond which a sizing asks no finer model."""
@@ -231,7 +229,11 @@ def finest(
         if only is not None and index not in only:
             continue
         started = (first or {}).get(index, 0)
-        for check in series.by_models(requirement, scene, enough, started):
+        checks = tuple(series.by_models(requirement, scene, enough, started))
+        leaves = series.plane.as_check(requirement, scene, checks)
+        if leaves is not None and not _is_sure(leaves, FAR):
+            checks += (leaves,)
+        for check in checks:
             share = _share(check)
             is_known = check.factor_range is not None or not known
             if isfinite(share) and share > 0.0 and is_known:
@@ -299,43 +301,14 @@ class _Series:
         self.models = models
         self.near = near
         self.seconds: dict[str, float] = {}
-        self._shares: dict[str, CriticalShare | None] = {}
+        self.plane = PlaneStability(design, sizes, models, self.seconds)
 
     def climbed(self, requirement: Requirement, scene: Scene) -> tuple[Check, ...]:
         """Return the checks of a requirement in a case, by the cheapest that decides them all."""
         found = self._by_formula(requirement, scene)
         if not found or not all(map(_is_decided, found)):
             found = tuple(self.by_models(requirement, scene, _is_decided))
-        kinds = {check.kind for check in found}
-        if QuantityKind.BUCKLING in kinds:
-            return found
-        asks = requirement.looks_at(scene) & PUSHING or QuantityKind.STRESS in kinds
-        return self._in_its_plane(found, scene) if asks else found
-
-    def _in_its_plane(self, checks: tuple[Check, ...], scene: Scene) -> tuple[Check, ...]:
-        """Return checks under loads: none passes where these may buckle the joint out of it."""
-        exact = next((model for model in self.models if model.name == "exact"), None)
-        failed = all(check.verdict is Verdict.FAIL for check in checks)
-        mechanism = self.design.mechanism
-        loaded = scene.is_loaded and (mechanism is None or mechanism.joints == 1)
-        if exact is None or failed or not loaded or scene.in_space:
-            return checks
-        from flexcli.engine.narrow_blades import may_leave_plane
-
-        ask = self.design.ask(scene, self.sizes, exact.joint_model)
-        if not may_leave_plane(ask):
-            return checks
-        one_alone()
-        from flexcli.engine.joint_models.out_of_plane_buckling import out_of_plane_share
-
-        started = perf_counter()
-        if scene.case not in self._shares:
-            self._shares[scene.case] = out_of_plane_share(ask)
-        share, took = self._shares[scene.case], perf_counter() - started
-        self.seconds[exact.name] = self.seconds.get(exact.name, 0.0) + took
-        if share is None:
-            return checks
-        return tuple(_leaves_plane(check, share, exact.name) for check in checks)
+        return self.plane.judged(requirement, scene, found)
 
     def _by_formula(self, requirement: Requirement, scene: Scene) -> tuple[Check, ...]:
         """Return the checks by the requirement's own formula, where no model is insisted on."""
@@ -560,18 +533,6 @@ def _buckles(check: Check, buckled: Buckled) -> Check:
         demand=1.0, capacity=share, unit="", factor=share, factor_range=buckled.between,
         verdict=Verdict.FAIL, source="loss of stability on the path of the loads",
     )  # fmt: skip
-
-
-def _leaves_plane(check: Check, share: CriticalShare, model: str) -> Check:
-    """Return a check under loads that buckle the joint in space at a share of them, or may."""
-    less, more = (1.0, inf) if share.error is None else (-share.error.low, share.error.high)
-    buckled = Buckled(share.share, less, more)
-    surely = buckled.between[1] < 1.0
-    verdict = Verdict.FAIL if surely else Verdict.UNDECIDED
-    if check.verdict is Verdict.FAIL or (check.verdict is Verdict.UNDECIDED and not surely):
-        return check
-    quantity = "share of the loads of the case that buckles the joint in space"
-    return _buckles(check, buckled)._replace(quantity=quantity, verdict=verdict, model=model)
 
 
 def _together(requirement: Requirement, checks: Sequence[Check]) -> Iterator[Check]:

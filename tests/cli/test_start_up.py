@@ -50,11 +50,24 @@ except SystemExit:
 """
 
 
+PUSHED = """
+flexure: 1
+material: {youngs_modulus: 114 GPa, yield_strength: 800 MPa, poisson_ratio: 0.34}
+geometry: {kind: leaf-spring-stage, h: 0.1 mm, l: 20 mm, b: 5 mm, blades: 2, spacing: 30 mm}
+cases: {work: {stroke: {translation: 0.5 mm}, wrench: {y: 0.5 N}}}
+requirements: {yield: 1.5}
+"""
+
+
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory):
     """Return the modules of ours that a check of an easy design has loaded at its end."""
-    spec = tmp_path_factory.mktemp("easy") / "flexure.yaml"
-    spec.write_text(EASY, encoding="utf-8")
+    return modules(tmp_path_factory.mktemp("easy") / "flexure.yaml", EASY)
+
+
+def modules(spec, text):
+    """Return the modules of ours that a check that passes has loaded at its end."""
+    spec.write_text(text, encoding="utf-8")
     run = subprocess.run(
         [sys.executable, "-c", LOADED, str(spec)],
         capture_output=True, text=True, check=True, timeout=60,
@@ -77,6 +90,13 @@ def test_it_loads_the_one_joint_that_the_spec_names_and_no_mechanism(loaded):
 def test_it_loads_no_solver_of_a_finer_model(loaded):
     solvers = {"equilibrium", "linear", "linear_buckling", "stability", "vibrating_layout"}
     assert not {f"flexcli.mechanics.{name}" for name in solvers} & set(loaded)
+
+
+def test_loads_far_from_those_that_leave_the_plane_need_no_model_in_space(tmp_path):
+    found = modules(tmp_path / "flexure.yaml", PUSHED)
+    assert "flexcli.mechanics.lateral_bound" in found
+    assert not [name for name in found if name.startswith("flexcli.mechanics.space.exact")]
+    assert "flexcli.engine.joint_models.out_of_plane_buckling" not in found
 
 
 def test_everyday_units_of_either_kind_load_no_library_of_units():

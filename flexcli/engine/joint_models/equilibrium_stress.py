@@ -4,7 +4,7 @@ import numpy as np
 
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import layout_of
-from flexcli.engine.narrow_blades import least_thickness
+from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.layout import Blade
 from flexcli.mechanics.mesh import single
 from flexcli.numerics.rows import one_alone

@@ -1,14 +1,14 @@
-"""Loads in the plane of a narrow joint that buckle it out of it, where its stress is asked for.
+"""Loads in the plane of a joint that buckle it out of it, whatever is asked of them.
 
-Models of the plane hold its bodies there. Blades hardly wider than thick let them bow or tip out of
-it under loads that the plane bears; how much stress they have in it then says nothing.
+Models of the plane hold its bodies there. Blades hardly wider than thick, and bodies that reach far
+beyond their blades, bow or tip out of it under loads that the plane bears; how much stress they
+have in it then says nothing.
 """
 
 from collections.abc import Iterator
 
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
-from flexcli.engine.joint_models.holds import FREE, hold_of
-from flexcli.engine.joint_models.space_critical import critical_shares
+from flexcli.engine.joint_models.space_critical import critical_shares, path_at
 from flexcli.engine.joint_models.space_stroke import BEAMS
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.critical import straight_critical_factor
@@ -23,69 +23,75 @@ from flexcli.parts.space_states import acting_groups, senses
 __all__ = ["out_of_plane_share"]
 
 STANDS = 4.0
-"""Factor on its loads up to which straight blades bear them where exact beams need not be asked: of
-joints that tilt from the first on, these bore 0.75 of it at least, and strokes change it by some.
-"""
+"""Factor on what is asked up to which straight blades bear loads where exact beams need not be
+asked: of joints that tilt from the first on, these bore 0.75 of it at least."""
+
 
 ROUGHLY = 2.5
 """By how much more the straight blades of small motion may bear than exact ones that stay straight:
 hinges lie farthest off."""
 
+CLOSE = 1e-8
+"""How closely straight blades are known: a sizing follows what changes with its sizes."""
+
 ENOUGH = 1.5
-"""Factor on its loads up to which exact beams are followed: what stands there stands."""
+"""Factor on what is asked up to which exact beams are followed: what stands there stands."""
 
 
-def out_of_plane_share(ask: Ask) -> CriticalShare | None:
-    """Return the least share of a case's loads that buckles a joint in space, if it may be one.
+def out_of_plane_share(
+    ask: Ask, bound: float, asked: float, *, as_stated: bool
+) -> CriticalShare | None:
+    """Return the least share of a case's loads that buckles a joint in space, where it is near.
 
-    It is nothing where the joint surely stands; where no model can follow the loads its error is
-    unknown. The drive is locked at its stroke, or free without one.
+    Nothing but its blades holds it in its plane; nothing is returned where it surely stands at the
+    share that is ``asked``.
+    Where no model can follow the loads its error is unknown; ``bound`` is what is told then. The
+    drive is locked at its stroke, or free without one; a temperature is left out. Loads act in
+    either sense, ``as_stated`` in the stated one where they have one.
     """
-    if not _is_free(ask.scene) or ask.geometry.is_guided:
-        return None
-    found = [share for scene in _either_way(ask.scene) if (share := _least(ask, scene))]
-    return min(found, key=lambda each: each.share, default=None)
+    scene = ask.scene.at_assembly()
+    senses_of = _either_way(scene, only=as_stated and scene.directed)
+    found = [share for each in senses_of if (share := _least(ask, each, bound, asked))]
+    return min(found, key=lambda each: each.least, default=None)
 
 
-def _is_free(scene: Scene) -> bool:
-    """Return whether loads are in the plane, and nothing but its blades holds the body there."""
-    in_plane = not (scene.in_space or scene.across_by) and scene.has_plane
-    apart = scene.lock is not None or scene.on_bodies or scene.temperature is not None
-    return in_plane and not apart and hold_of(scene) == FREE
-
-
-def _either_way(scene: Scene) -> Iterator[Scene]:
+def _either_way(scene: Scene, *, only: bool) -> Iterator[Scene]:
     """Yield a case with what is stated of its loads in the senses in which stress takes it."""
     yield scene
-    if any(scene.stated) and not scene.has_one_sense:
+    if any(scene.stated) and not scene.has_one_sense and not only:
         x, y, z, about_x, about_y, about_z = scene.stated
         yield scene._replace(stated=(-x, -y, -z, -about_x, -about_y, -about_z))
 
 
-def _least(ask: Ask, scene: Scene) -> CriticalShare | None:
+def _least(ask: Ask, scene: Scene, bound: float, asked: float) -> CriticalShare | None:
     """Return the least share of loads that may buckle a joint, nothing where all are borne."""
+    ask = ask._replace(scene=scene)
     try:
         joint = joint_of(ask)
         groups = acting_groups(joint, scene)
         if not groups:
             return None
         states = [action(joint.assembly, each) for each in groups]
-        if _near_by_small_motion(states, scene) * ROUGHLY * STANDS < 1.0:
+        near = asked * _near_by_small_motion(states, scene)
+        # a stroke bends blades, which are softer across their width then
+        if not scene.moves and near * ROUGHLY * STANDS < 1.0:
             return None
-        straight = min(_of_straight_blades(joint, groups, scene))
+        straight = min(_of_straight_blades(ask, joint, groups, STANDS * asked))
     except (NotAvailable, SolveError):
-        return None  # of no model in space, or not held in it: nobody has told more than the plane
-    if straight >= STANDS:
+        return CriticalShare(bound, scene.hold, None)  # of no model in space, or not held in it
+    if straight >= STANDS * asked:
         return None
     try:
-        found = [
-            each
-            for each in critical_shares(ask._replace(scene=scene, most_share=ENOUGH), BEAMS)
-            if each.error is None or each.share * (1.0 + each.error.low) < 1.0
-        ]
+        most = ENOUGH * asked
+        further = ask._replace(most_share=most)
+        found = list(critical_shares(further, BEAMS, bows=not joint.is_mirrored))
     except (NotAvailable, SolveError):
         return CriticalShare(straight, scene.hold, None)
-    return min(found, key=lambda each: each.share, default=None)
+    least = min(found, key=lambda each: each.least)
+    if least.error is None or least.share < most:
+        return least
+    # what stands as far as it was followed stands the longer the more straight blades bear
+    return least._replace(share=max(straight, most))
 
 
 def _near_by_small_motion(states: list[SpaceState], scene: Scene) -> float:
@@ -94,9 +100,24 @@ def _near_by_small_motion(states: list[SpaceState], scene: Scene) -> float:
     return max(max(after.buckling, after.arms) for after in each)
 
 
-def _of_straight_blades(joint: SpaceJoint, groups: list[Acting], scene: Scene) -> Iterator[float]:
-    """Yield the factor on loads at which blades that stay straight buckle, in each sense."""
+def _of_straight_blades(
+    ask: Ask, joint: SpaceJoint, groups: list[Acting], most: float
+) -> Iterator[float]:
+    """Yield the factor on loads at which blades that move no further buckle, in each sense.
+
+    The drive is locked at either end of a stroke, free without one.
+    """
     loads, frames = [loads_of(joint, each) for each in groups], drive_frame(joint.layout.drive)
-    for signs in senses(scene, len(loads)):
+    paths = [path_at(ask, travel, BEAMS) for travel in dict.fromkeys(ask.scene.stroke_ends)]
+    for signs in senses(ask.scene, len(loads)):
         pattern = list(signed(loads, signs))
-        yield straight_critical_factor(joint.layout, None, pattern, most=STANDS, frames=frames)
+        for path in paths:
+            yield straight_critical_factor(
+                joint.layout,
+                path.held,
+                pattern,
+                most=most,
+                frames=frames,
+                start=path.start,
+                close=CLOSE,
+            )

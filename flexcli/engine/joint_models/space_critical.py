@@ -35,7 +35,7 @@ from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import acting_groups, senses
 from flexcli.results import ErrorRange
 
-__all__ = ["critical_shares", "may_stand"]
+__all__ = ["critical_shares", "may_stand", "path_at"]
 
 LOST_EARLY = 0.5
 """Share of the loads asked for, before which the end of a path that is lost is its own."""
@@ -47,12 +47,13 @@ _KNOWN = WeakKeyDictionary()
 """Up to which share the path of loads was asked for, and what was found."""
 
 
-def critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
+def critical_shares(ask: Ask, blades: Blades, *, bows: bool = True) -> Iterator[CriticalShare]:
     """Yield what buckles it at both ends of a stroke; what is no wrench acts either way.
 
     Loads across make blades bow from the first on, and the path passes no critical point where
     they would buckle without: the share may be as little as that of beams which stay straight,
-    which is below that of shells.
+    which is below that of shells. What does not ``bow`` so, a mirrored joint whose plane its loads
+    leave, has such a point.
     """
     scene = ask.scene
     joint = joint_of(ask)
@@ -64,7 +65,7 @@ def critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     most = ask.most_share
     for travel in dict.fromkeys(scene.stroke_ends):
         known = blades.errors(at_travel(ask, travel, blades, warmth=0.0))
-        beams = _path_at(ask, travel, BEAMS)
+        beams = path_at(ask, travel, BEAMS)
         soft = _with_soft_blocks(layout, beams) if blades is BEAMS and known else None
         for signs in senses(scene, len(groups)):
             pattern = tuple(signed(groups, signs))
@@ -80,10 +81,12 @@ def critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
                 high, spoken = inf, f"{spoken}: no more of its path is found, stable so far"
             if share > most:
                 share, high, spoken = most, inf, f"{spoken}: none up to that"
-            straight = straight_critical_factor(
-                layout, beams.held, pattern, most=share, frames=drive_frame(drive),
-                start=beams.start,
-            )  # fmt: skip
+            straight = share
+            if bows:
+                straight = straight_critical_factor(
+                    layout, beams.held, pattern, most=share, frames=drive_frame(drive),
+                    start=beams.start,
+                )  # fmt: skip
             low = min(1.0, straight / share) * (1.0 - off)
             if soft is not None:
                 softest = straight_critical_factor(
@@ -111,7 +114,7 @@ def _critical(ask: Ask, travel: float, blades: Blades, loads: Loads, most: float
     found = None if answer is None else _answered(before, answer, most)
     if found is None:
         walked = answer.walked if isinstance(answer, SpaceCritical) else None
-        path, (levels, tolerance) = _path_at(ask, travel, blades), blades.critical
+        path, (levels, tolerance) = path_at(ask, travel, blades), blades.critical
         try:
             found = critical_load(
                 joint.layout, path.held, loads, most=most, frames=drive_frame(joint.layout.drive),
@@ -171,7 +174,7 @@ class _Path(NamedTuple):
     start: SpaceEquilibrium | None
 
 
-def _path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
+def path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
     """Return how loads grow at an end of a stroke; a guide is not among what is held."""
     if not ask.scene.moves:
         return _Path(None, None)

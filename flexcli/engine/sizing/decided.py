@@ -43,8 +43,9 @@ STEP = 1e-3
 """Change of a size (relative) over which slopes are taken: far above the models' tolerances, and
 small enough for the slope to be that of the place."""
 
-STEEPEST = 100.0
-"""Largest power of a size by which a correction changes: beyond it a model changed on the way."""
+STEEPEST = 50.0
+"""Largest power of a size by which a correction changes: beyond it a model changed on the way, and
+powers of a size in metres are no numbers any more."""
 
 
 class Place(NamedTuple):

@@ -180,6 +180,11 @@ class CriticalShare(NamedTuple):
     held: str
     error: ErrorRange | None
 
+    @property
+    def least(self) -> float:
+        """Return the least that the share may be, zero where nobody knows."""
+        return 0.0 if self.error is None else self.share * (1.0 + self.error.low)
+
 
 class Ask(NamedTuple):
     """What a requirement is judged by: floats for a check, signomials for a sizing.

@@ -119,6 +119,8 @@ class Requirement(Part):
     """Whether it is asked at the temperatures of cases too, where it is not of a case."""
     adds_up: ClassVar[bool] = False
     """Whether its cases add up, as damage does."""
+    is_of_buckling: ClassVar[bool] = False
+    """Whether it asks for a factor on the loads of a case up to which they buckle nothing."""
     is_of_stress: ClassVar[bool] = False
     """Whether it compares the largest stress with a strength, whatever causes the stress."""
     by_shells: ClassVar[QuantityKind | None] = None

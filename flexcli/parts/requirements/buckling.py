@@ -42,6 +42,7 @@ class Buckling(FactorRequirement):
     """
 
     label: ClassVar[str] = "buckling"
+    is_of_buckling: ClassVar[bool] = True
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case puts a force along the blades, or any load in space."""

@@ -35,7 +35,7 @@ from flexcli.mechanics.space.exact.support import unstable_when_free
 from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, SpaceLoad
 from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, correct_on, follow
 
-__all__ = ["SpaceCritical", "Walked", "critical_load", "straight_critical_factor"]
+__all__ = ["NEAR_STRAIGHT", "SpaceCritical", "Walked", "critical_load", "straight_critical_factor"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -54,7 +54,7 @@ _BACK = (1.0, 0.95, 0.8)
 _STILL = 1e-6
 """Motion of the bodies in a mode, over the forces in it, below which only blades buckle."""
 
-_CLOSE = 1e-3
+NEAR_STRAIGHT = 1e-3
 """How closely the factor of a mechanism that keeps its first shape is found, relative."""
 
 _MOVED = 0.01
@@ -225,6 +225,7 @@ def straight_critical_factor(
     most: float,
     frames: Mapping[str, Frame] | None = None,
     start: SpaceEquilibrium | None = None,
+    close: float = NEAR_STRAIGHT,
 ) -> float:
     """Return the least factor on a load pattern at which beams that do not move would buckle.
 
@@ -238,11 +239,13 @@ def straight_critical_factor(
         As in :func:`critical_load`.
     start : SpaceEquilibrium or None
         Beams without the pattern, as they are held.
+    close : float
+        How closely it is found, from below, relative.
 
     Returns
     -------
     float
-        The factor, to a thousandth below; infinite where there is none up to ``most``.
+        The factor; infinite where there is none up to ``most``.
 
     Raises
     ------
@@ -269,8 +272,10 @@ def straight_critical_factor(
     if is_stable(1.0):
         return inf
     # a straight column's own load is found by its path as well: it is just below
-    low, high = (1.0 - _CLOSE, 1.0) if is_stable(1.0 - _CLOSE) else (0.0, 1.0 - _CLOSE)
-    while high - low > _CLOSE * high and high > _CORRECTION:
+    low, high = (
+        (1.0 - NEAR_STRAIGHT, 1.0) if is_stable(1.0 - NEAR_STRAIGHT) else (0.0, 1.0 - NEAR_STRAIGHT)
+    )
+    while high - low > close * high and high > _CORRECTION:
         middle = (low + high) / 2.0
         low, high = (middle, high) if is_stable(middle) else (low, middle)
     return low * most

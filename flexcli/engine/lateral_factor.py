@@ -1,0 +1,104 @@
+"""Whether loads in the plane of a joint may buckle it out of it, by a cheap bound from below."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from math import inf
+
+import numpy as np
+
+from flexcli.engine.joint_models.holds import FREE, hold_of
+from flexcli.mechanics.lateral_bound import lateral_bound, least_thickness
+from flexcli.mechanics.layout import Layout, Load
+from flexcli.numerics.rows import Number, number
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.requirements import Ask
+from flexcli.parts.scene import IN_PLANE, Scene
+
+__all__ = ["lateral_factor"]
+
+SOFTEST = 3.0
+"""E/G of an isotropic material that keeps its volume, which none exceeds."""
+
+APART = 0.5
+"""Share of its own that a joint bears whose blades stand at different heights, at least: forces at
+their heights turn the body aside from the first on."""
+
+
+def lateral_factor(ask: Ask, *, as_stated: bool) -> Number:
+    """Return a factor on a case's loads up to which a joint surely stays in its plane [-].
+
+    Nothing but its blades holds it there. It is infinite where a guide, ends or a lock are taken to
+    hold the body, and where there is no layout to look at; zero where only a look in space tells.
+    Without a shear modulus it is that of the softest. Loads act in either sense, ``as_stated`` in
+    the stated one where they have one.
+    """
+    scene = ask.scene
+    if ask.geometry.is_guided or not _is_free(scene):
+        return inf
+    try:
+        layout = ask.geometry.plane_layout(ask.material.elastic, ask.sizes)
+    except NotAvailable:
+        return inf
+    if layout.G is None:
+        layout = replace(layout, G=layout.E / SOFTEST)
+    if layout.supports or layout.guides:
+        return 0.0
+    groups = list(_groups(ask, layout))
+    if not groups:
+        return inf
+    is_stated = as_stated and scene.directed and any(scene.stated[i] for i in IN_PLANE)
+    driven = 3 * layout.index(MOVING)
+    driven += 2 if ask.geometry.motion == "rotation" else 1
+    travels = scene.stroke_ends if scene.moves else ()
+    try:
+        found = lateral_bound(layout, groups, directed=is_stated, driven=driven, travels=travels)
+    except np.linalg.LinAlgError:
+        return 0.0
+    least = number(found) if len(found) > 1 else float(found[0])
+    first = layout.blades[0].z
+    apart = any(np.any(np.asarray(blade.z) != np.asarray(first)) for blade in layout.blades)
+    return APART * least if apart else least
+
+
+def _is_free(scene: Scene) -> bool:
+    """Return whether loads are in the plane, and nothing but its blades holds the body there.
+
+    What ends or a lock hold is held in its plane as well; a mechanism that is locked bears
+    accelerations in space.
+    """
+    in_plane = not (scene.in_space or scene.across_by) and scene.has_plane
+    apart = scene.lock is not None or scene.on_bodies
+    return in_plane and not apart and hold_of(scene) == FREE
+
+
+def _groups(ask: Ask, layout: Layout) -> Iterator[list[Load]]:
+    """Yield what acts at once in the plane: stated loads, and each of the accelerations."""
+    scene, moving = ask.scene, layout.body(MOVING)
+    fields = ((0.0, 0.0, 0.0), *scene.accelerations)
+    for wrench, field in zip((scene.stated, *scene.inertial), fields, strict=True):
+        loads = []
+        if any(wrench[i] for i in IN_PLANE):
+            loads.append(Load(moving.name, moving.point, (wrench[0], wrench[1]), wrench[5]))
+        if field[0] or field[1]:
+            loads += list(_weights(ask, layout, field[0], field[1]))
+        if loads:
+            yield loads
+
+
+def _weights(ask: Ask, layout: Layout, along_x: Number, along_y: Number) -> Iterator[Load]:
+    """Yield what weighs under an acceleration: bodies, and each blade as a whole at its ends."""
+    given = ask.material.density
+    density = 0.0 if given is None else given.value
+    weighing = [(body.name, body.com, body.mass) for body in layout.bodies]
+    moving = {body.name for body in layout.bodies}
+    for blade in layout.blades:
+        l = np.hypot(*np.subtract(blade.end, blade.start))
+        mass = density * blade.b * l * least_thickness(blade)
+        weighing += [
+            (name, at, mass)
+            for name, at in ((blade.first, blade.start), (blade.second, blade.end))
+            if name in moving
+        ]
+    for name, at, mass in weighing:
+        yield Load(name, at, (mass * along_x, mass * along_y))
