@@ -278,8 +278,8 @@ class _Draw:
             ask(bound("stiffness", stiff, unit, str(rng.choice(["min", "max"]))))
             mass, inertia = self.payload
             ask(bound("frequency", self.twin.frequency(mass, inertia), "Hz", "min"))
-            reach = max(travels, key=abs)
-            shift = self.twin.shift(reach)
+            # a joint that is not its own mirror image shifts otherwise the other way
+            shift = max(self.twin.shift(travel) for travel in travels if travel)
             if shift > 1e-12:
                 ask(bound("parasitic_shift", shift, "m", "max"))
         if scene == "acceleration" and self.along_stroke:
