@@ -59,6 +59,9 @@ GIVES_WAY = 8.0
 SHORTENS = 0.03
 """Times (φ l/h)²: what it gives way along itself more, 12/700 as an S, up to 12/525 as an arc."""
 
+TWIST = 3
+"""Spring of a blade that is its twist."""
+
 WHOLE = np.linspace(-1.0, 1.0, 9)[None]
 """Places along a piece of a blade."""
 
@@ -100,10 +103,10 @@ def changed_beside(
     That is a temperature, and loads ``beside`` those that are asked about. Their forces make any
     stiffness of straight blades and bodies as much less as the share that they are of those which
     turn them aside, and as much more as they are of these reversed: the largest changes of the
-    stiffness of bodies that move anywhere. How far they turn blades counts besides, by its square,
-    as a twisted blade bends in part across its width; and bent blades give way along their width by
-    twisting, and along themselves by bending: but for a motion along the drive that a load along it
-    causes, ``driven``. The drive is ``locked`` or free.
+    stiffness of bodies that move anywhere. How far they twist blades counts besides, by its square,
+    as these bend in part across their width then; and how far they turn them, as bent blades give
+    way along their width by twisting, and along themselves by bending: but for a motion along the
+    drive that a load along it causes, ``driven``. The drive is ``locked`` or free.
 
     Returns
     -------
@@ -120,7 +123,8 @@ def changed_beside(
         both = combined([*heat, *states], [*(1.0 for _ in heat), *signs])
         after, reversed_ = (combined([both], [sense]).following() for sense in (1.0, -1.0))
         given_way = 0.0 if driven else _given_way(joint, after.rotation)
-        turned = max(TURNS * after.rotation**2, given_way)
+        bent = both.moved.deformations[: 6 * len(joint.layout.blades), 0].reshape(-1, 6)
+        turned = max(TURNS * float(np.abs(bent[:, TWIST]).max()) ** 2, given_way)
         softer = max(softer, times * after.buckling + turned)
         stiffer = max(stiffer, times * reversed_.buckling + turned)
     if max(softer, stiffer) > KNOWN:
