@@ -6,7 +6,7 @@ reaches across the required one, the next model is asked, so that a wide margin 
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from functools import partial
+from functools import cache, partial
 from math import inf, isfinite, isnan, nan
 from time import perf_counter
 from typing import NamedTuple
@@ -337,7 +337,7 @@ class _Series:
         Models before ``first`` are asked only where it and those after it have no answer.
         """
         best: dict[str, Check] = {}
-        spent, reason = 0.0, ""
+        spent, reason, least = 0.0, "", cache(partial(self._least_stress, scene))
         for model in self.models[first:]:
             doing(f"{requirement.label}, {scene.case}, by the {model.name} model")
             started = perf_counter()
@@ -367,35 +367,24 @@ class _Series:
                         fails = _buckles(check, buckled)
                         best[check.full_name] = fails._replace(model=model.name, seconds=spent)
             if enough is _is_decided and requirement.is_of_stress:
-                best |= self._overborne(best, scene)  # before finer ones follow hopeless loads
+                best |= _overborne(best, least)  # before finer ones follow hopeless loads
             if best and all(enough(check) for check in best.values()):
                 break
         if enough is not _is_decided and requirement.is_of_stress:
-            best |= self._overborne(best, scene)
+            best |= _overborne(best, least)
         if not best and first > 0:
             yield from self.by_models(requirement, scene, enough)
         elif not best:
             yield _no_answer(requirement, scene, reason, self.models[-1].name, spent)
         yield from best.values()
 
-    def _overborne(self, checks: Mapping[str, Check], scene: Scene) -> dict[str, Check]:
-        """Return the open checks of a strength that fail by the equilibrium of the loads alone."""
-        open_ = {name: c for name, c in checks.items() if c.verdict is Verdict.UNDECIDED}
-        if not open_ or not (scene.is_loaded or scene.across_by):
-            return {}
+    def _least_stress(self, scene: Scene) -> float:
+        """Return the least stress of the loads of a case, by equilibrium alone [Pa]."""
+        if not (scene.is_loaded or scene.across_by):
+            return 0.0
         from flexcli.engine.joint_models.equilibrium_stress import least_stress
 
-        ask = self.design.ask(scene, self.sizes, self.models[-1].joint_model)
-        least, found = least_stress(ask), {}
-        for name, check in open_.items():
-            most = check.capacity / least if least else inf
-            if most < check.required * (1.0 - SURE):
-                found[name] = check._replace(
-                    quantity="mean stress of the sections that bear the force, at least",
-                    demand=least, factor=most, factor_range=(0.0, most), verdict=Verdict.FAIL,
-                    source="equilibrium: the force over the thinnest sections of all blades there",
-                )  # fmt: skip
-        return found
+        return least_stress(self.design.ask(scene, self.sizes, self.models[-1].joint_model))
 
     def _limits(self, requirement: Requirement, scene: Scene, model: NamedModel) -> Iterator[Limit]:
         return limits_by(self.design, self.sizes, requirement, scene, model, self.near)
@@ -505,6 +494,22 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
 def _is_open(limit: Limit) -> bool:
     """Return whether the error of a limit leaves it undecided."""
     return assess.verdict(assess.span(limit), assess.required(limit)) is Verdict.UNDECIDED
+
+
+def _overborne(checks: Mapping[str, Check], least_stress: Callable[[], float]) -> dict[str, Check]:
+    """Return the open checks of a strength that fail by the equilibrium of the loads alone."""
+    open_ = {name: c for name, c in checks.items() if c.verdict is Verdict.UNDECIDED}
+    least = least_stress() if open_ else 0.0
+    found = {}
+    for name, check in open_.items():
+        most = check.capacity / least if least else inf
+        if most < check.required * (1.0 - SURE):
+            found[name] = check._replace(
+                quantity="mean stress of the sections that bear the force, at least",
+                demand=least, factor=most, factor_range=(0.0, most), verdict=Verdict.FAIL,
+                source="equilibrium: the force over the thinnest sections of all blades there",
+            )  # fmt: skip
+    return found
 
 
 def _no_answer(

@@ -123,8 +123,7 @@ def changed_beside(
         both = combined([*heat, *states], [*(1.0 for _ in heat), *signs])
         after, reversed_ = (combined([both], [sense]).following() for sense in (1.0, -1.0))
         given_way = 0.0 if driven else _given_way(joint, after.rotation)
-        bent = both.moved.deformations[: 6 * len(joint.layout.blades), 0].reshape(-1, 6)
-        turned = max(TURNS * float(np.abs(bent[:, TWIST]).max()) ** 2, given_way)
+        turned = max(TURNS * float(np.abs(both.bent[:, TWIST]).max()) ** 2, given_way)
         softer = max(softer, times * after.buckling + turned)
         stiffer = max(stiffer, times * reversed_.buckling + turned)
     if max(softer, stiffer) > KNOWN:

@@ -189,9 +189,9 @@ def changed_across(joint: SpaceJoint, scene: Scene) -> Changed | None:
         return None
     ratios, swings, pushed = list[float](), 0.0, 0.0
     for loads in _senses(joint, scene):
-        if _largest_turn(joint, loads.across) > FAR:
+        if _largest_turn(loads.across) > FAR:
             return None
-        pushed = max(pushed, _largest_turn(joint, loads.beside))
+        pushed = max(pushed, _largest_turn(loads.beside))
         few = _Loads(combined([loads.across], [SMALL]), combined([loads.beside], [0.0]))
         small = _added(joint, few, (0.0,))
         added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
@@ -255,7 +255,7 @@ def _across_hinges(
     turned = _turned_by(joint, scene.travel)
     for loads in _senses(joint, scene):
         across = loads.across
-        if _largest_turn(joint, across) > FAR:
+        if _largest_turn(across) > FAR:
             return AcrossStress(rest, None)  # far beyond what it bears, and costly to follow
         forces = across.moved.forces[:, 0]
         here = max(map(largest_stress, stresses.of(forces, np.zeros_like(across.weights))))
@@ -287,13 +287,12 @@ def _turned_by(joint: SpaceJoint, travel: float) -> float:
         return 0.0
     body = joint.layout.body(joint.layout.drive.body)
     stroke = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
-    return _largest_turn(joint, stroke)
+    return _largest_turn(stroke)
 
 
-def _largest_turn(joint: SpaceJoint, state: SpaceState) -> float:
+def _largest_turn(state: SpaceState) -> float:
     """Return the largest rotation of one end of a hinge against the other, about any axis [rad]."""
-    bent = state.moved.deformations[: 6 * len(joint.layout.blades), 0].reshape(-1, 6)
-    return float(np.abs(bent[:, 3:]).max())
+    return float(np.abs(state.bent[:, 3:]).max())
 
 
 def _alternating(joint: SpaceJoint, ends: "Sequence[list[SectionStates]]") -> float:

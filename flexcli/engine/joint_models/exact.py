@@ -16,7 +16,7 @@ from flexcli.engine.joint_models.buckling import (
     exact_critical,
     warm_shares,
 )
-from flexcli.engine.joint_models.face_stress import PlateStresses, worst_of_stroke
+from flexcli.engine.joint_models.face_stress import PlateStresses, largest_at_faces, worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
     at_rest,
@@ -418,11 +418,10 @@ class ExactModel(JointModel):
                 factors = factors_of_states if scene.moves else factors_of_warmth
                 wide = factors(ask, blade, fine)
             found.extend(worst_of_stroke(ask, blade.name, faces, wide))
-            here = larger(*(largest_of_each(np.abs(face)) for face in faces.values()))
+            here = largest_at_faces(faces)
             most = larger(most, here)
             if hinge is not None:
-                unsure = (np.abs(face) + states_of(hinge[1]) for face in faces.values())
-                own += larger(*map(largest_of_each, unsure)) - here
+                own += largest_at_faces(faces, states_of(hinge[1])) - here
             off = larger(off, own)
             if before is not None:
                 coarse = blade_stress(before, blade.name, POINTS)

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.wide_under_force import StateFactors
 from flexcli.mechanics.stresses import BladeStress
-from flexcli.numerics.rows import larger, number
+from flexcli.numerics.rows import Number, larger, largest_of_each, number
 from flexcli.parts.requirements import Ask, EndStress
 from flexcli.parts.worst_places import worst_places
 
-__all__ = ["PlateStresses", "worst_of_stroke"]
+__all__ = ["PlateStresses", "largest_at_faces", "worst_of_stroke"]
 
 Floats = NDArray[np.float64]
 
@@ -34,6 +34,11 @@ class PlateStresses(NamedTuple):
         ends = self.bending[:, blade], self.axial[:, blade]
         bending, axial = (x[:, :1] + (x[:, 1:] - x[:, :1]) * share for x in ends)
         return found._replace(bending=found.bending + bending, axial=found.axial + axial)
+
+
+def largest_at_faces(faces: Mapping[str, Floats], off: Floats | float = 0.0) -> Number:
+    """Return the largest stress at the faces of a blade, more at each place by what is off [Pa]."""
+    return larger(*(largest_of_each(np.abs(face) + off) for face in faces.values()))
 
 
 def worst_of_stroke(

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.blade_weight import LEAST, BladeWeights, forced_stress
 from flexcli.engine.joint_models.buckling import linear_critical_forces
 from flexcli.engine.joint_models.exact import ExactModel, hanging
-from flexcli.engine.joint_models.face_stress import worst_of_stroke
+from flexcli.engine.joint_models.face_stress import largest_at_faces, worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import layout_of, linearly, of_case
 from flexcli.engine.joint_models.remembered import Remembered
@@ -169,10 +169,9 @@ class LinearModel(JointModel):
             if hinge is not None:
                 bending = bending + hinge[0]
             faces = {"left": states_of(axial - bending), "right": states_of(axial + bending)}
-            here = larger(*(largest_of_each(np.abs(face)) for face in faces.values()))
+            here = largest_at_faces(faces)
             if hinge is not None:
-                unsure = (np.abs(face) + states_of(hinge[1]) for face in faces.values())
-                own += larger(*map(largest_of_each, unsure)) - here
+                own += largest_at_faces(faces, states_of(hinge[1])) - here
             most, off = larger(most, here), larger(off, own)
             stresses.extend(worst_of_stroke(ask, blade.name, faces))
         found_off = off / larger(most, LEAST)

@@ -65,6 +65,12 @@ class SpaceState:
     warmth: float = 0.0
     missed: MissedSeat | None = None
 
+    @property
+    def bent(self) -> Floats:
+        """Return by how much the six springs of each blade are deformed (blades, 6) [m, rad]."""
+        rows = 6 * len(self.assembly.layout.blades)
+        return np.asarray(self.moved.deformations[:rows, 0].reshape(-1, 6))
+
     def following(self) -> SecondOrder:
         """Return what the second order adds."""
         return second_order(

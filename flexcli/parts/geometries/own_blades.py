@@ -113,12 +113,10 @@ class OwnBlades(Geometry):
 
     def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
         """Return the range of the plate factors of its blades."""
-        blades = list(self.blade_sizes(sizes).values())
-        plain = wide_drawn([(blade, blade.l) for blade in blades], nu, springs=False)
+        blades = [(blade, blade.l) for blade in self.blade_sizes(sizes).values()]
+        plain = wide_drawn(blades, nu, springs=False)
         layout = self.layout(Elastic(1.0, nu), sizes)
-        return wide_by_shapes(
-            plain, [(blade, blade.l) for blade in blades], nu, layout, self.held(1.0)
-        )
+        return wide_by_shapes(plain, blades, nu, layout, self.held(1.0))
 
     def volume(self, sizes: Sizes) -> Computed:
         """Return the volume of all blades [m³]."""
