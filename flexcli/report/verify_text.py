@@ -65,7 +65,7 @@ def _range(error: ErrorRange | None) -> str:
     if error.low == -error.high:
         return f"± {_share(error.high)}"
     high = "∞" if error.high == inf else f"+{error.high:.1%}"
-    return f"−{-error.low:.1%}+{high}".replace("−0.0%", "").replace("++", "+")
+    return f"−{abs(error.low):.1%}+{high}".replace("−0.0%", "").replace("++", "+")
 
 
 def _share(error: float) -> str:

@@ -12,6 +12,8 @@ from flexcli.engine.solid.model import solid_model
 from flexcli.engine.solid.numbers import STRAIGHT, StressPlace
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Computed
+from flexcli.formulas.section import second_moment
+from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import free_compliance
 from flexcli.parts.elastic import NotAvailable
@@ -36,6 +38,9 @@ e⁻⁴ a thickness."""
 
 HELD_STRESS = 5e-3
 """Share of the stress of a blade that its clamps hold across that is left there along it."""
+
+SLIGHT = 0.1
+"""Force across a stroke over E I/l² of a blade that changes how it is bent by less than 1e-4."""
 
 Found = tuple[float, ErrorRange | None]
 
@@ -95,12 +100,20 @@ class ModelNumbers:
         return exact, found
 
     def across_force(self, ask: Ask) -> float:
-        """Return a force that moves the body across its stroke by a thousandth of the stroke."""
-        scene, length = ask.scene, 1.0
-        if ask.geometry.motion == "rotation":
-            blades = ask.geometry.layout(ask.material.elastic, ask.sizes).blades
-            length = max(float(np.hypot(*np.subtract(b.end, b.start))) for b in blades)
-        return self.across_at_end(ask)[0] * 1e-4 * (scene.travel + scene.mean_travel) * length
+        """Return a force that moves the body across its stroke by 1e-4 of that, or a smaller one.
+
+        It is small beside E I/l² of each blade, which bends otherwise under it.
+        """
+        scene, elastic = ask.scene, ask.material.elastic
+        blades = ask.geometry.layout(elastic, ask.sizes).blades
+        lengths = [float(np.hypot(*np.subtract(b.end, b.start))) for b in blades]
+        length = max(lengths) if ask.geometry.motion == "rotation" else 1.0
+        slight = SLIGHT * min(
+            float(elastic.E * second_moment(blade.b, least_thickness(blade))) / l**2
+            for blade, l in zip(blades, lengths, strict=True)
+        )
+        moved = 1e-4 * (scene.travel + scene.mean_travel) * length
+        return min(self.across_at_end(ask)[0] * moved, slight)
 
     def critical(self, ask: Ask) -> Found:
         """Return the least critical force in the plane."""

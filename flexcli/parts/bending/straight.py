@@ -66,16 +66,26 @@ class Straight(Bending):
         error = 2.0 * self.ratio**2 + self._held_upright
         return {
             "stress": whole(stage_next_order.stress_change(**stroke), error),
-            "shift": whole(stage_next_order.shift_change(**stroke), 0.5 * self.ratio**2),
+            "shift": whole(stage_next_order.shift_change(**stroke), self._shifted_on),
         }
 
     @property
     def _held_upright(self) -> float:
-        """Return the axial stress by which blades keep a stage upright that moves towards its base.
+        """Return what keeping a stage upright that moves towards its base adds to the stress.
 
-        The force of the stroke moves down with it, by a share of x²/l.
+        The force of the stroke moves down with it, by λ = 3 x²/(5 l): one blade is pulled, another
+        pushed by n = 7.2 (x/l)³ times the lever, which stresses it by N/A and bends it n/60 more.
         """
-        return 1.6 * self.lever * self.h / self.l * self.ratio
+        slope = abs(self.travel / self.l)
+        return self.lever * self.ratio * (1.6 * self.h / self.l + 0.14 * slope)
+
+    @property
+    def _shifted_on(self) -> float:
+        """Return the order after the next of the shift; the stage tilts as its blades are pulled.
+
+        By some (x/l)⁵ times the lever squared, which bends them further.
+        """
+        return (0.5 + 0.02 * self.lever**2) * self.ratio**2
 
     def tension(self) -> Changes:
         """Return no change: the drive's force is across the blade at its largest stress."""
@@ -136,7 +146,7 @@ class Necked(Straight):
         error = 2.0 * self.ratio**2 + self._held_upright
         return {
             "stress": whole(stage_next_order.stress_change(**stroke), error),
-            "shift": whole(stage_next_order.shift_change(**stroke), 0.5 * self.ratio**2),
+            "shift": whole(stage_next_order.shift_change(**stroke), self._shifted_on),
         }
 
     def load(self, n: float) -> Changes:
