@@ -1,8 +1,6 @@
 """What to know of a vibration's response besides its numbers: modes beside the band, travel."""
 
 from collections.abc import Iterator
-from dataclasses import replace
-from math import pi
 
 import numpy as np
 
@@ -12,16 +10,16 @@ from flexcli.parts.asd import RandomVibration, Vibration
 from flexcli.parts.geometries import NotAvailable
 from flexcli.parts.quality import Quality
 from flexcli.parts.requirements import Ask, RequirementError
-from flexcli.parts.requirements.closed_form import least_blade_force
+from flexcli.parts.requirements.pushed_by_peaks import axial_share
 from flexcli.parts.requirements.shaking import at_once
 from flexcli.parts.response import mode_qualities, random_outputs
 from flexcli.parts.scene import Scene
-from flexcli.parts.space_joint import joint_in_space
+from flexcli.parts.space_states import KNOWN
 from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import Note
 from flexcli.units import show
 
-__all__ = ["axial_share", "vibration_notes"]
+__all__ = ["vibration_notes"]
 
 NEAR = 0.25
 """Change of a stiffness within which a mode beside the band is told."""
@@ -131,53 +129,18 @@ def _large_travel(ask: Ask, structure: Structure) -> Iterator[Note]:
             yield Note("large-travel", text)
 
 
-def axial_share(ask: Ask, structure: Structure) -> float | None:
-    """Return the peak axial force in a blade over its critical one, where the ends are known.
-
-    In space every blade counts as between guided ends.
-    """
-    if ask.geometry.in_space:
-        return _share_in_space(ask, structure)
-    if ask.scene.ends is None:
-        return None
-    try:
-        found = at_once(ask, _by_sigma)
-        each = [shaking.peaks(structure) for shaking in found]
-        axial = max(
-            (p for peaks in each for name, p in peaks.items() if name.startswith("axial")),
-            default=0.0,
-        )
-        force = axial / float(ask.geometry.axial_stress(1.0, ask.sizes))
-        return force / float(least_blade_force(ask).force)
-    except (NotAvailable, RequirementError, ValueError):
-        return None
-
-
-def _share_in_space(ask: Ask, structure: Structure) -> float | None:
-    """Return the largest peak axial force of a blade over π²EI/l², as between guided ends."""
-    assembly = joint_in_space(ask.geometry, ask.material, ask.sizes).assembly
-    blades = list(zip(assembly.layout.blades, assembly.members, strict=True))
-    axial = {blade.name: structure.outputs[f"force {blade.name}"][:, 0] for blade, _ in blades}
-    along = replace(structure, outputs=axial)
-    try:
-        each = [shaking.peaks(along) for shaking in at_once(ask, _by_sigma)]
-    except (RequirementError, ValueError):
-        return None  # said where the response is judged
-    return max(
-        peaks[blade.name] * member.l / (pi**2 * float(member.springs.stiffness[4:].min()))
-        for peaks in each
-        for blade, member in blades
-    )
-
-
 def _by_sigma(_scene: Scene, vibration: Vibration, _rate: float) -> float:
     return vibration.sigma
 
 
 def _large_axial_force(ask: Ask, structure: Structure) -> Iterator[Note]:
     """Yield that the axial force of the peak changes the stiffness on the way."""
-    share = axial_share(ask, structure)
-    if share is not None and share > LARGE_FORCE:
+    try:
+        each = [axial_share(ask, structure, shaking.peaks) for shaking in at_once(ask, _by_sigma)]
+    except (RequirementError, ValueError):
+        return  # said where the response is judged
+    share = max((share for share in each if share is not None), default=0.0)
+    if share > LARGE_FORCE:
         ask_for = "ask for dynamic-buckling"
         if ask.geometry.in_space:
             ask_for = (
@@ -187,6 +150,7 @@ def _large_axial_force(ask: Ask, structure: Structure) -> Iterator[Note]:
             )
         text = (
             f"case '{ask.scene.case}': the peak puts {share:.2g} of the critical force into a "
-            f"blade: it softens and stiffens on the way, which the modes do not have; {ask_for}"
+            "blade: it softens and stiffens on the way, which the modes do not have, and from "
+            f"{KNOWN:g} of it on no response passes; {ask_for}"
         )
         yield Note("axial-force-in-modes", text)

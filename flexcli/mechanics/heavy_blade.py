@@ -42,7 +42,8 @@ class HeavyBlade(NamedTuple):
 
     ``mass`` and ``stiffness`` are (6 + m, 6 + m); ``axial`` and ``bending`` [Pa], rows (places,
     6 + m), are the axial stress and the bending stress at one face at both ends of every flexible
-    piece; ``end_force`` (2, 6 + m) is the force (along, across) on the blade's end [N].
+    piece; ``end_force`` (3, 6 + m) is the force (along, across) on the blade's end [N] with the
+    moment about it [N·m].
     """
 
     mass: Floats
@@ -109,7 +110,7 @@ def heavy_blade(
     N, V, M = K[3:]  # what the blade's end feels
     ends = [_ends(piece) for piece in pieces]
     stresses = _stresses(ends, b, lambda s: (N, M + (l - s) * V))
-    still = HeavyBlade(np.zeros((6, 6)), K, *stresses, K[3:5])
+    still = HeavyBlade(np.zeros((6, 6)), K, *stresses, K[3:])
     if not density:
         return still
     told = [
@@ -179,6 +180,7 @@ def _with_inside(
         return elements[index].forces[0] @ inside[index], moment @ inside[index]
 
     axial, bending = _stresses(ends, made["b"], felt)
+    last = np.vstack([elements[-1].forces, elements[-1].moments[-1]])
     of_modes = modes.shape[1]
     stiffness = np.zeros((6 + of_modes,) * 2)
     stiffness[:6, :6] = still.stiffness
@@ -188,7 +190,7 @@ def _with_inside(
         stiffness=stiffness,
         axial=np.hstack([still.axial, axial]),
         bending=np.hstack([still.bending, bending]),
-        end_force=np.hstack([still.end_force, elements[-1].forces @ inside[-1]]),
+        end_force=np.hstack([still.end_force, last @ inside[-1]]),
     )
 
 

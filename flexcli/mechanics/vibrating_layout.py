@@ -26,8 +26,8 @@ class VibratingLayout:
     Free coordinates are motions (x, y, φ) of the bodies' points relative to the base, without
     those held, then modes inside the blades. ``pull`` is the inertial force per acceleration of
     the base along an axis, ``moved`` all the mass that it moves [kg]. ``motions`` are rows (3, n)
-    of each body; ``axial``, ``bending`` [Pa] and ``end_force`` (2, n) [N], along x and y, are
-    rows of each blade.
+    of each body; ``axial``, ``bending`` [Pa] and ``end_force`` (3, n), along x and y [N] and
+    about the end [N·m], are rows of each blade.
     """
 
     mass: Floats
@@ -99,7 +99,7 @@ def vibrating_layout(
         K += T.T @ blade.stiffness @ T
         M += T.T @ blade.mass @ T
         axial[strip.name], bending[strip.name] = blade.axial @ T, blade.bending @ T
-        end_force[strip.name] = frame[:2, :2].T @ blade.end_force @ T
+        end_force[strip.name] = frame.T @ blade.end_force @ T
     free = np.setdiff1d(np.arange(ground), [at[name] + axis for name, axis in held])
     pulls = {axis: _pull(M, unit, names, ground) for axis, unit in DIRECTIONS.items()}
     rows = np.eye(size)

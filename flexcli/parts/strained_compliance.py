@@ -32,7 +32,7 @@ from flexcli.parts.requirements.ask import Ask, Told
 from flexcli.parts.scene import IN_PLANE, Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
 from flexcli.parts.space_states import KNOWN, TURNS, UNEVEN, acting_groups, third_order
-from flexcli.results import EXACT, ErrorRange
+from flexcli.results import ErrorRange
 
 __all__ = [
     "beside_wrench",
@@ -42,6 +42,7 @@ __all__ = [
     "either_way",
     "sag",
     "senses_beside",
+    "shares_beside",
 ]
 
 Floats = NDArray[np.float64]
@@ -114,11 +115,29 @@ def changed_beside(
         Nothing where it is not small.
 
     """
+    softer, stiffer = shares_beside(joint, scene, beside, locked=locked, driven=driven)
+    if max(softer, stiffer) > KNOWN:
+        return None
+    return ErrorRange(1.0 / (1.0 + stiffer) - 1.0, 1.0 / (1.0 - softer) - 1.0)
+
+
+def shares_beside(
+    joint: SpaceJoint,
+    scene: Scene,
+    beside: Sequence[Acting] = (),
+    *,
+    locked: bool = False,
+    driven: bool = False,
+) -> tuple[float, float]:
+    """Return the largest shares by which what strains a joint softens and stiffens it.
+
+    As :func:`changed_beside` tells; one of 1 of softening buckles straight blades and bodies.
+    """
     heat = [warmed(joint.assembly, locked=locked)] if joint.layout.grows else []
     states = [action(joint.assembly, each) for each in beside]
-    if not (heat or states):
-        return EXACT
     times, softer, stiffer = 1.0 if joint.is_uniform else UNEVEN, 0.0, 0.0
+    if not (heat or states):
+        return softer, stiffer
     for signs in senses_beside(scene, beside):
         both = combined([*heat, *states], [*(1.0 for _ in heat), *signs])
         after, reversed_ = (combined([both], [sense]).following() for sense in (1.0, -1.0))
@@ -126,9 +145,7 @@ def changed_beside(
         turned = max(TURNS * float(np.abs(both.bent[:, TWIST]).max()) ** 2, given_way)
         softer = max(softer, times * after.buckling + turned)
         stiffer = max(stiffer, times * reversed_.buckling + turned)
-    if max(softer, stiffer) > KNOWN:
-        return None
-    return ErrorRange(1.0 / (1.0 + stiffer) - 1.0, 1.0 / (1.0 - softer) - 1.0)
+    return softer, stiffer
 
 
 def _given_way(joint: SpaceJoint, turn: float) -> float:

@@ -4,7 +4,7 @@ Bodies, blades and supports are those of :mod:`flexcli.mechanics.layout`, here w
 of one joint put together, and reduced to matrices.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import cos, sin
 from typing import NamedTuple
@@ -18,6 +18,7 @@ from flexcli.parts.geometries.base import GROUND, MOVING
 
 __all__ = [
     "MOTIONS",
+    "Answer",
     "OwnMotion",
     "PlacedJoint",
     "Structure",
@@ -58,7 +59,8 @@ class Structure:
     the faces [Pa]; or rows (k, c, n) of what has c components at each of k places, a vector's or
     those of an equivalent stress. ``motion`` (n,) is the row of the own motion, nothing where that
     is locked. ``bodies`` holds rows of the motion of each body's point in ``directions``,
-    relative to the base.
+    relative to the base; ``wrenches`` (3, n) by joint the force on what it carries [N] and the
+    moment about that body's point [N·m], along the axes of the joint's own drawing.
     """
 
     mass: Floats
@@ -69,13 +71,15 @@ class Structure:
     motion: Floats | None = None
     bodies: Mapping[str, Floats] = field(default_factory=dict)
     directions: tuple[str, ...] = ("x", "y", "theta_z")
+    wrenches: Mapping[str, Floats] = field(default_factory=dict)
 
     def stiffened(self, factor: float) -> "Structure":
         """Return the structure with all of its stiffness, and so its stresses, times a factor."""
         outputs = {
             name: rows if name in MOTIONS else rows * factor for name, rows in self.outputs.items()
         }
-        return replace(self, stiffness=self.stiffness * factor, outputs=outputs)
+        wrenches = {name: rows * factor for name, rows in self.wrenches.items()}
+        return replace(self, stiffness=self.stiffness * factor, outputs=outputs, wrenches=wrenches)
 
     def without_motion(self) -> "Structure":
         """Return the structure without a driven motion, as where it is locked."""
@@ -98,6 +102,9 @@ class Structure:
         assert self.motion is not None  # not locked
         return float(1.0 / (self.motion @ np.linalg.solve(self.stiffness, self.motion)))
 
+
+Answer = Callable[[Structure], Mapping[str, float]]
+"""Function that returns one number for each output of a structure, as its peak."""
 
 MOTIONS = ("travel", "rotation")
 """Names of outputs that are motions."""
@@ -140,14 +147,18 @@ def assemble(
     """
     copies = [_placed(joint, at) for at in joints]
     found = vibrating_layout(_whole(bodies, copies), density, held, thick=thick)
-    outputs: dict[str, Floats] = {}
+    outputs, wrenches = dict[str, Floats](), dict[str, Floats]()
     for at, copy in zip(joints, copies, strict=True):
-        force = np.zeros((2, found.mass.shape[0]))
+        point = turned(joint.body(MOVING).point, at.orientation, at.point)
+        wrench = np.zeros((3, found.mass.shape[0]))
         for blade in copy.blades:
             if at.second in (blade.first, blade.second):
                 sign = 1.0 if blade.second == at.second else -1.0
-                force = force + sign * found.end_force[blade.name]
-        outputs[f"force {at.name}"] = force[None]
+                end = found.end_force[blade.name]
+                x, y = np.subtract(blade.end, point)
+                wrench += sign * np.stack([end[0], end[1], end[2] + x * end[1] - y * end[0]])
+        outputs[f"force {at.name}"] = wrench[None, :2]
+        wrenches[at.name] = np.stack([*turned((wrench[0], wrench[1]), -at.orientation), wrench[2]])
         axial = np.concatenate([found.axial[blade.name] * blade.peak[1] for blade in copy.blades])
         bending = np.concatenate(
             [found.bending[blade.name] * blade.peak[0] for blade in copy.blades]
@@ -159,8 +170,9 @@ def assemble(
         own = np.array(motion.direction) @ found.motions[motion.body]
         outputs[motion.name] = own[None, :]
     return Structure(
-        found.mass, found.stiffness, found.pull, found.moved, outputs, own, found.motions
-    )
+        found.mass, found.stiffness, found.pull, found.moved, outputs, own, found.motions,
+        wrenches=wrenches,
+    )  # fmt: skip
 
 
 def on_joints(bodies: Sequence[Body], joints: Sequence[PlacedJoint], joint: Layout) -> Layout:

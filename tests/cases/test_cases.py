@@ -215,7 +215,13 @@ ROWS = (
     Row("moment-blade-shift", "check", tells("shift", 508e-9, PLATE)),
     Row("moment-blade-shift", "check --model exact", tells("shift", 508e-9, PLATE)),
     Row("admissible-stroke", "check", theta_adm),
-    Row("necked-long-stroke", "check", knows_its_error("x_adm", 15.216e-3)),
+    Row(
+        "necked-long-stroke",  # of blades so far apart that they keep their stage upright
+        "check --set geometry.spacing=40m",
+        knows_its_error("x_adm", 15.216e-3),
+    ),
+    # those that stand 0.8 l apart bear 0.12 l/d (x/l)³ of their stress more for it
+    Row("necked-long-stroke", "check", tells("x_adm", 15.216e-3 / (1.0 + 4.2e-3), 1e-3)),
     # plane elements of the whole joint
     Row("unseparated-shift", "check", knows_its_error("shift", 674.7e-9)),
     Row(

@@ -45,6 +45,16 @@ def test_a_joint_of_massless_blades_is_the_spring_of_its_closed_form():
         assert worst == pytest.approx(np.abs(rows @ motion).max(), rel=ROUNDING)
 
 
+@pytest.mark.parametrize("turn", [0.0, 0.7])
+def test_the_wrench_on_a_joint_is_along_its_own_axes_whatever_way_it_is_turned(turn):
+    structure = alone(body("payload", 0.1, 1e-2), turn)
+    motion = np.array([1e-6, -2e-6, 3e-4])
+    c, s = np.cos(turn), np.sin(turn)
+    turned = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]) @ motion
+    expected = joint_stiffness(b=b, **SIZE) @ motion
+    np.testing.assert_allclose(structure.wrenches["J"] @ turned, expected, rtol=ROUNDING, atol=1e-9)
+
+
 def test_one_body_on_one_joint_turns_at_the_frequency_of_its_inertia():
     structure = alone(body("payload", 0.1, 1e-2))
     lowest = natural_modes(structure.stiffness, structure.mass).angular[0]

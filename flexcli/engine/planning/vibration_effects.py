@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from flexcli.engine import omitted_effects
 from flexcli.engine.models import model_series
 from flexcli.engine.response_spectra import structure_of_case
-from flexcli.engine.vibration_notes import axial_share
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.formulas.sweep_build_up import sweep_build_up
@@ -20,6 +19,7 @@ from flexcli.parts.effects.large_rotation import LargeRotation
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Ask, RequirementError
+from flexcli.parts.requirements.pushed_by_peaks import axial_share
 from flexcli.parts.requirements.response_range import uncertain_structure
 from flexcli.parts.requirements.shaking import SHAKES, at_once, quality_of
 from flexcli.parts.response import random_outputs
@@ -152,7 +152,7 @@ def _second_order(ask: Ask) -> Iterator[EffectRow]:
 
 def _stiffened(ask: Ask, structure: Structure) -> Iterator[EffectRow]:
     """Yield what the axial force of the peak changes in the frequency: to first order ½ P/P_cr."""
-    share = axial_share(ask, structure)
+    share = axial_share(ask, structure, lambda each: largest_peaks(ask, each))
     if share is not None:
         text = f"axial force in a blade at {share:.2g} of the critical one, either way"
         yield _row(ask, "stress stiffening", share, {"frequency": 0.5 * share}, text)

@@ -13,16 +13,17 @@ from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.asd import Vibration
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.ends import FREE
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.requirements.buckling import borne
 from flexcli.parts.requirements.closed_form import least_blade_force
 from flexcli.parts.requirements.response_range import (
-    Answer,
     Uncertain,
     between,
     compounded,
+    pushed,
     uncertain_structure,
 )
 from flexcli.parts.requirements.shaking import (
@@ -43,7 +44,7 @@ from flexcli.parts.requirements.standing import (
 )
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.parts.structure import MOTIONS, Structure
+from flexcli.parts.structure import MOTIONS, Answer, Structure
 from flexcli.results import ErrorRange, QuantityKind, error_of_ratio
 
 __all__ = ["Dynamic", "DynamicBuckling", "DynamicLife", "DynamicYield", "FindsPeaks"]
@@ -108,6 +109,7 @@ class Dynamic(FactorRequirement):
         for shaking in at_once(ask, self._peak_factor):
             found = uncertain_structure(ask, shaking.changes_at)
             try:
+                found = pushed(ask, found, shaking.peaks, shaking.changes_at)
                 ranges = found.of(shaking.peaks)
             except ValueError as error:
                 raise RequirementError(str(error), shaking.hint) from error
@@ -135,8 +137,18 @@ class Dynamic(FactorRequirement):
             raise NotAvailable("has no response by Miles: its stiffness or masses are not known")
         for vibration in random_at_once(ask.scene):
             refuse_unknown_axes(found.structure, vibration.axes)
-            outputs = miles_outputs(found.structure, vibration, found.stiffer)
             sigma = vibration.sigma
+
+            def peaks(
+                structure: Structure, vibration: Vibration = vibration, sigma: float = sigma
+            ) -> dict[str, float]:
+                each = miles_outputs(structure, vibration, (1.0, 1.0))
+                return {name: sigma * one.rms for name, one in each.items()}
+
+            found = pushed(ask, found, peaks, ())
+            if found.stiffer is None:
+                raise NotAvailable("has no response by Miles: its peaks push blades by too much")
+            outputs = miles_outputs(found.structure, vibration, found.stiffer)
             ranges = {
                 # a peak that is told lies in its own range
                 name: (sigma * one.rms, between(one.rms, [one.rms, one.least, one.most]))
@@ -172,7 +184,8 @@ def _rest(
 
 
 def _largest(value: float, error: ErrorRange | None) -> float:
-    return value * (1.0 + (error.high if error is not None else 0.0))
+    """Return the largest of a peak within its error, itself where that has no bound."""
+    return value * (1.0 + (error.high if error is not None and error.high < inf else 0.0))
 
 
 def _duration(scene: Scene, vibration: Vibration) -> float:
@@ -302,21 +315,37 @@ class DynamicBuckling(Dynamic):
         per_force = ask.geometry.axial_stress(1.0, ask.sizes)
         still, still_error = standing_force(ask, per_force)
         own = _of_plain_beams(critical.error, ask)
+        aside = self._pushed_aside(ask) if scene.ends == FREE else 0.0
         for peak in peaks(ask, "axial stress", inf):
+            demand = peak.value / per_force + still
+            error = error_of_ratio(
+                _summed((peak.value / per_force, peak.error), (still, still_error)), own
+            )
+            if error is not None and demand > 0.0:
+                error = error._replace(high=max(error.high, aside * capacity / demand - 1.0))
             yield Limit(
                 self.label,
                 scene.case,
                 f"{peak.what.replace('stress', 'force')}{BESIDE if still else ''} of a blade",
-                peak.value / per_force + still,
+                demand,
                 capacity,
                 "N",
                 f"{peak.source}; {critical.source}: {scene.ends_why}{crushed}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
-                error=error_of_ratio(
-                    _summed((peak.value / per_force, peak.error), (still, still_error)), own
-                ),
+                error=error,
             )
+
+    def _pushed_aside(self, ask: Ask) -> float:
+        """Return what the peaks are of static loads that buckle the joint, out of its plane too.
+
+        All components of the force on it at once, which is more than happens.
+        """
+        from flexcli.parts.requirements.pushed_by_peaks import pushed_share
+
+        structure = uncertain_structure(ask, ()).structure
+        each = [pushed_share(ask, structure, s.peaks) for s in at_once(ask, self._peak_factor)]
+        return max((share for share in each if share is not None), default=0.0)
 
 
 class DynamicLife(Dynamic):
@@ -372,6 +401,7 @@ class DynamicLife(Dynamic):
             each = [shaking.peaks(structure) for shaking in shaken]
             return {name: max(one[name] for one in each) for name in each[0]}
 
+        found = pushed(ask, found, peaks, tuple(sorted(corners)))
         ranges = found.of(peaks)
         own = [ranges[name] for name in MOTIONS if name in ranges]
         travel = _largest(*own[0]) if own else 0.0
@@ -437,9 +467,15 @@ class DynamicLife(Dynamic):
             raise
         except ValueError as error:
             raise RequirementError(str(error)) from error
-        return {
+        ranges = {
             name: (life, between(life, [each[name] for each in every]))
             for name, life in plain.items()
+        }
+        if found.is_bounded:
+            return ranges
+        return {  # it may be any shorter
+            name: (life, None if error is None else error._replace(low=-1.0))
+            for name, (life, error) in ranges.items()
         }
 
     def _alone(

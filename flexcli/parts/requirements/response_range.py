@@ -1,7 +1,7 @@
 """The response of a structure over the range of its uncertain stiffness and masses."""
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, pi
 
@@ -16,10 +16,10 @@ from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.own_motion import DENSEST, structure_of
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.stand_in import STAND_IN
-from flexcli.parts.structure import Structure
+from flexcli.parts.structure import Answer, Structure
 from flexcli.results import EXACT, ErrorRange, QuantityKind, error_of_ratio
 
-__all__ = ["Answer", "Uncertain", "between", "compounded", "uncertain_structure"]
+__all__ = ["Uncertain", "between", "compounded", "pushed", "uncertain_structure"]
 
 Floats = NDArray[np.float64]
 
@@ -32,9 +32,6 @@ MOST_MODES = 8
 
 MOST_FACTORS = 64
 """Most stiffnesses that put a mode onto such a frequency, evenly among the points of a density."""
-
-Peaks = Mapping[str, float]
-Answer = Callable[[Structure], Peaks]
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +48,9 @@ class Uncertain:
     modes."""
     stiffer: tuple[float, float] | None = None
     """Range of the factor on all of its stiffness, where nothing else of it is uncertain."""
+    is_bounded: bool = True
+    """Whether its response is linear: else its own peaks push blades so far that it may be any
+    larger."""
 
     def of(self, answer: Answer) -> dict[str, tuple[float, ErrorRange | None]]:
         """Return each number of a response with the range of its error over all structures."""
@@ -59,9 +59,13 @@ class Uncertain:
             return {name: (value, None) for name, value in found.items()}
         everywhere = [found, *(answer(other) for other in self.others)]
         return {
-            name: (value, between(value, [each[name] for each in everywhere]))
+            name: (value, self.opened(between(value, [each[name] for each in everywhere])))
             for name, value in found.items()
         }
+
+    def opened(self, error: ErrorRange | None) -> ErrorRange | None:
+        """Return the error of a peak, which without a bound has none from above."""
+        return error if error is None or self.is_bounded else error._replace(high=inf)
 
     def stress_error(
         self, ask: Ask, peak: float, answer: Answer, reached: float = 1.0
@@ -99,12 +103,30 @@ def _largest(at_places: Floats) -> float:
     return float(each.max())
 
 
-def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
+def pushed(ask: Ask, found: Uncertain, answer: Answer, frequencies: tuple[float, ...]) -> Uncertain:
+    """Return a mechanism over what its own peaks change of its stiffness as well.
+
+    Without a bound from above where they push its blades by as much as buckles them, or nearly.
+    """
+    from flexcli.parts.requirements.pushed_by_peaks import pushed_by_peaks
+
+    if found.others is None:
+        return found
+    changed = pushed_by_peaks(ask, found.structure, answer)
+    if changed is None:
+        return replace(found, stiffer=None, is_bounded=False)
+    return found if changed == EXACT else uncertain_structure(ask, frequencies, changed)
+
+
+def uncertain_structure(
+    ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange = EXACT
+) -> Uncertain:
     """Return the mechanism of a case by the model asked, with its range of stiffness and mass.
 
     Its stiffness is that of the blades times the model's correction of the driven motion. Over the
     range of that number the modes move; every one in reach is put on each of the ``frequencies``
-    [Hz] at which the excitation changes, so that no resonance is missed.
+    [Hz] at which the excitation changes, so that no resonance is missed. All of its stiffness may
+    be ``changed`` by as much as well.
 
     Raises
     ------
@@ -114,7 +136,7 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     """
     ask = ask._replace(scene=ask.scene.at_assembly())  # what heat strains is judged beside it
     if ask.scene.vibrates_in_space:
-        return _in_space(ask, frequencies)
+        return _in_space(ask, frequencies, changed)
     geometry, elastic, sizes, scene = ask.geometry, ask.material.elastic, ask.sizes, ask.scene
     density = ask.material.density
 
@@ -144,7 +166,8 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         # what stretches the blades is no softer or stiffer by their width, but by their clamps
         least, most = map(float, ask.geometry.crossed(ask.sizes))
         ends += [most, least / (1.0 + ask.clamp_softening)]
-    low, high = max(min(ends), 0.0), max(ends)
+    low = max(min(ends), 0.0) * (1.0 + changed.low)
+    high = max(ends) * (1.0 + changed.high)
     if low <= 0.0 or high == inf:
         return Uncertain(structure, None)
     others = []
@@ -156,7 +179,7 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     return Uncertain(structure, tuple(others), stiffer=stiffer)
 
 
-def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
+def _in_space(ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange) -> Uncertain:
     """Return a mechanism that moves in space, over the range of its springs and masses."""
     from flexcli.parts.space_vibration import likely_structures, shape_error
 
@@ -173,7 +196,8 @@ def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     if beside is None:
         others = None
     if others is not None and beside is not None:
-        low, high = low * (1.0 + beside.low), high * (1.0 + beside.high)
+        low *= (1.0 + beside.low) * (1.0 + changed.low)
+        high *= (1.0 + beside.high) * (1.0 + changed.high)
         others += tuple(own.stiffened(end) for end in dict.fromkeys((low, high)))
         onto = sorted(set(_onto(own, frequencies, low, high)))
         others += tuple(own.stiffened(f) for f in onto[:: 1 + len(onto) // MOST_FACTORS])

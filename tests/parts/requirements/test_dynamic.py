@@ -9,7 +9,7 @@ import yaml
 import flexcli
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.quality import Quality
-from flexcli.parts.requirements import Ask, RequirementError
+from flexcli.parts.requirements import Ask, RequirementError, dynamic
 from flexcli.parts.requirements.as_printed import AsPrinted
 from flexcli.parts.requirements.response_range import compounded, uncertain_structure
 from flexcli.parts.response import random_outputs, sine_peaks
@@ -233,6 +233,12 @@ class OffByTurn(Off):
         return super().error(ask, kind)
 
 
+@pytest.fixture
+def unpushed(monkeypatch):
+    """Leave out what forces along the blades change, some 0.5 to 6 % here: tests of their own."""
+    monkeypatch.setattr(dynamic, "pushed", lambda _ask, found, *_: found)
+
+
 def limits_of_levers(case, asked=None, **material):
     """Return the limits on a stage of levers whose stresses are off as their pivots turn."""
     lever = {"mass": "17 g", "com": "10 mm", "inertia": "5e-6 kg*m^2"}
@@ -252,6 +258,7 @@ def limits_of_levers(case, asked=None, **material):
     return list(requirement.limits(ask))
 
 
+@pytest.mark.usefixtures("unpushed")
 def test_the_stress_of_a_peak_is_as_far_off_as_the_pivots_turn_at_it():
     """Levers turn pivots by the stroke over their height: θ from the stress E h θ (2l + 3p)/l²."""
     found = limits_of_levers(sine(1.0, 5.0))
@@ -267,6 +274,7 @@ def turned(stress):
     return stress * 20e-3**2 / (E * 0.1e-3 * (2.0 * 20e-3 + 3.0 * 2e-3))
 
 
+@pytest.mark.usefixtures("unpushed")
 def test_a_life_is_as_far_off_as_the_pivots_turn_at_the_peaks():
     case = flat(2.0, 20.0, 0.01)
     peak = max(float(each.demand) for each in limits_of_levers(case))
@@ -285,6 +293,7 @@ def test_a_locked_stage_turns_no_pivot_whatever_shakes_it():
     assert all(each.error.high == pytest.approx(0.0, abs=1e-3) for each in found)
 
 
+@pytest.mark.usefixtures("unpushed")
 def test_a_peak_beyond_the_strength_is_as_far_off_as_where_it_reaches_it():
     """What pivots are off at the motion of a stress that they never bear does not count."""
     found = limits_of_levers(sine(1.0, 200.0))
