@@ -10,7 +10,8 @@ from flexcli.parts.asd import RandomVibration, Vibration
 from flexcli.parts.geometries import NotAvailable
 from flexcli.parts.quality import Quality
 from flexcli.parts.requirements import Ask, RequirementError
-from flexcli.parts.requirements.pushed_by_peaks import axial_share
+from flexcli.parts.requirements.pushed_by_peaks import axial_share, pushed_share
+from flexcli.parts.requirements.response_range import pushed, uncertain_structure
 from flexcli.parts.requirements.shaking import at_once
 from flexcli.parts.response import mode_qualities, random_outputs
 from flexcli.parts.scene import Scene
@@ -44,6 +45,7 @@ def vibration_notes(ask: Ask) -> Iterator[Note]:
             yield from dict.fromkeys(_beside_the_band(scene, structure, alone))
     yield from _large_travel(ask, structure)
     yield from _large_axial_force(ask, structure)
+    yield from _bent_by_stroke(ask)
 
 
 def _missing_modes(scene: Scene, structure: Structure, vibration: Vibration) -> Iterator[Note]:
@@ -131,6 +133,28 @@ def _large_travel(ask: Ask, structure: Structure) -> Iterator[Note]:
 
 def _by_sigma(_scene: Scene, vibration: Vibration, _rate: float) -> float:
     return vibration.sigma
+
+
+def _bent_by_stroke(ask: Ask) -> Iterator[Note]:
+    """Yield that no model has the modes of blades that the stroke of the case bends."""
+    standing = ask.scene.standing
+    if standing is None or not standing.moves:
+        return
+    try:
+        for shaking in at_once(ask, _by_sigma):
+            found = uncertain_structure(ask, shaking.changes_at)
+            share = pushed_share(ask, found.structure, shaking.peaks)
+            found = pushed(ask, found, shaking.peaks, shaking.changes_at)
+            if not found.is_bounded and share is not None and share <= KNOWN:
+                text = (
+                    f"case '{ask.scene.case}': its stroke bends blades that shake there, and no "
+                    "model here has their modes: no response passes; give the vibration a case of "
+                    "its own where it does not act at the stroke"
+                )
+                yield Note("stroke-in-modes", text)
+                return
+    except (NotAvailable, RequirementError, ValueError):
+        return  # said where the response is judged
 
 
 def _large_axial_force(ask: Ask, structure: Structure) -> Iterator[Note]:

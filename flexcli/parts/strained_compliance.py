@@ -8,6 +8,7 @@ unknown.
 from collections.abc import Iterator, Sequence
 from itertools import product
 from math import inf
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,7 @@ from flexcli.mechanics.space.states import (
     combined,
     warmed,
 )
+from flexcli.numerics.collocation import gauss_nodes
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask, Told
@@ -35,6 +37,8 @@ from flexcli.parts.space_states import KNOWN, TURNS, UNEVEN, acting_groups, thir
 from flexcli.results import ErrorRange
 
 __all__ = [
+    "BentBeside",
+    "bent_beside",
     "beside_wrench",
     "beyond_first_order",
     "beyond_linear_sag",
@@ -57,11 +61,18 @@ ROUNDING = 1e-9
 GIVES_WAY = 8.0
 """Times (φ b/h)², of a blade turned by φ: what it gives way along its width more, 3 E/G."""
 
+COUPLES = 0.75
+"""Times φ l/h: the stress that a force along a bent blade has by bending over that along it, 0.6 as
+an S, 0.75 as an arc that it bends with a free end."""
+
 SHORTENS = 0.03
 """Times (φ l/h)²: what it gives way along itself more, 12/700 as an S, up to 12/525 as an arc."""
 
 TWIST = 3
 """Spring of a blade that is its twist."""
+
+NODES = 24
+"""Gauss nodes along a piece of a blade."""
 
 WHOLE = np.linspace(-1.0, 1.0, 9)[None]
 """Places along a piece of a blade."""
@@ -148,19 +159,75 @@ def shares_beside(
     return softer, stiffer
 
 
+class BentBeside(NamedTuple):
+    """What blades that stand bent give way more along them and their width, and are stressed more.
+
+    ``softer`` is a share of a compliance, ``stressed`` of the stress of a force along them [-].
+    """
+
+    softer: float
+    stressed: float
+
+
+def bent_beside(
+    joint: SpaceJoint, scene: Scene, more: float = 0.0, *, in_plane: bool = False
+) -> BentBeside:
+    """Return what bends the blades of a joint changes of small motion: stroke and static loads.
+
+    ``more`` is a travel besides, in either sense [m or rad]; ``in_plane`` nothing gives way along
+    the width of blades. As if each blade were turned by as much as the most turned one, and as
+    slender as the most slender where it bends.
+    """
+    rest = Acting(0.0, np.zeros(6), joint.layout.body(joint.layout.drive.body).point, np.zeros(3))
+
+    def moved(travel: float) -> SpaceState:
+        return action(joint.assembly, rest._replace(travel=travel))
+
+    groups, turn = acting_groups(joint, scene), 0.0
+    loads = [action(joint.assembly, each) for each in groups]
+    for travel in scene.stroke_ends if scene.moves else (0.0,):
+        for signs in senses_beside(scene, groups):
+            both = combined([moved(float(travel)), *loads], [1.0, *signs])
+            turn = max(turn, both.following().rotation)
+    turn += moved(more).following().rotation if more else 0.0
+    slender = (
+        share * l / (h if in_plane else min(h, b))
+        for share, (h, b, l) in zip(_bending_shares(joint), _sections(joint), strict=True)
+    )
+    bowed = turn * max(slender)
+    softer = SHORTENS * bowed**2 if in_plane else _given_way(joint, turn)
+    return BentBeside(softer, COUPLES * bowed)
+
+
 def _given_way(joint: SpaceJoint, turn: float) -> float:
     """Return by what share more blades that are turned give way along their width and length."""
-    most = 0.0
+    return max(
+        max(GIVES_WAY * (max(b / h, h / b) * turn) ** 2, SHORTENS * (l / min(h, b) * turn) ** 2)
+        for h, b, l in _sections(joint)
+    )
+
+
+def _bending_shares(joint: SpaceJoint) -> Iterator[float]:
+    """Yield which share of its length each blade bends over, as if it were as thin throughout."""
+    nodes, weights = gauss_nodes(NODES)
     for blade, member in zip(joint.layout.blades, joint.assembly.members, strict=True):
         if isinstance(blade, SpaceRod):
-            h = b = blade.d
-        else:
-            pieces = blade.profile.pieces(member.l)
-            h = min(float(np.min(piece.thickness(WHOLE))) for piece in pieces)
-            b = blade.b
-        wide = GIVES_WAY * (max(b / h, h / b) * turn) ** 2
-        most = max(most, wide, SHORTENS * (member.l / min(h, b) * turn) ** 2)
-    return most
+            yield 1.0
+            continue
+        pieces = blade.profile.pieces(member.l)
+        each = [(np.ravel(p.thickness(nodes)), np.ravel(p.slope(nodes))) for p in pieces]
+        thin = min(float(h.min()) for h, _ in each)
+        yield sum(float(np.sum(weights * ds * (thin / h) ** 3)) for h, ds in each) / member.l
+
+
+def _sections(joint: SpaceJoint) -> Iterator[tuple[float, float, float]]:
+    """Yield the least thickness, the width and the length of each blade."""
+    for blade, member in zip(joint.layout.blades, joint.assembly.members, strict=True):
+        if isinstance(blade, SpaceRod):
+            yield blade.d, blade.d, member.l
+            continue
+        pieces = blade.profile.pieces(member.l)
+        yield min(float(np.min(p.thickness(WHOLE))) for p in pieces), blade.b, member.l
 
 
 def sag(joint: SpaceJoint, scene: Scene) -> Told:

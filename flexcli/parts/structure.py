@@ -60,7 +60,8 @@ class Structure:
     those of an equivalent stress. ``motion`` (n,) is the row of the own motion, nothing where that
     is locked. ``bodies`` holds rows of the motion of each body's point in ``directions``,
     relative to the base; ``wrenches`` (3, n) by joint the force on what it carries [N] and the
-    moment about that body's point [N·m], along the axes of the joint's own drawing.
+    moment about the point of the joint's moving body [N·m], along the axes of its own drawing, and
+    ``joint_motions`` how far that point moves from its base [m, rad].
     """
 
     mass: Floats
@@ -72,6 +73,7 @@ class Structure:
     bodies: Mapping[str, Floats] = field(default_factory=dict)
     directions: tuple[str, ...] = ("x", "y", "theta_z")
     wrenches: Mapping[str, Floats] = field(default_factory=dict)
+    joint_motions: Mapping[str, Floats] = field(default_factory=dict)
 
     def stiffened(self, factor: float) -> "Structure":
         """Return the structure with all of its stiffness, and so its stresses, times a factor."""
@@ -80,6 +82,24 @@ class Structure:
         }
         wrenches = {name: rows * factor for name, rows in self.wrenches.items()}
         return replace(self, stiffness=self.stiffness * factor, outputs=outputs, wrenches=wrenches)
+
+    def softened_along(self, share: float) -> "Structure":
+        """Return a structure in a plane whose blades give way along themselves by a share more.
+
+        Its own motion, where it has one, keeps its stiffness and its stress.
+        """
+        lost = share / (1.0 + share)
+        stiffness = (1.0 - lost) * self.stiffness
+        if self.motion is not None:
+            stiffness += lost * self.motion_stiffness * np.outer(self.motion, self.motion)
+        outputs = {}
+        for name, rows in self.outputs.items():
+            if name.startswith("stress"):  # at both faces
+                outputs[name] = rows - lost * np.concatenate(2 * [self.outputs[f"axial {name}"]])
+            else:
+                outputs[name] = rows if name in MOTIONS else (1.0 - lost) * rows
+        wrenches = {name: (1.0 - lost) * rows for name, rows in self.wrenches.items()}
+        return replace(self, stiffness=stiffness, outputs=outputs, wrenches=wrenches)
 
     def without_motion(self) -> "Structure":
         """Return the structure without a driven motion, as where it is locked."""
@@ -147,7 +167,8 @@ def assemble(
     """
     copies = [_placed(joint, at) for at in joints]
     found = vibrating_layout(_whole(bodies, copies), density, held, thick=thick)
-    outputs, wrenches = dict[str, Floats](), dict[str, Floats]()
+    outputs, wrenches, motions = (dict[str, Floats]() for _ in range(3))
+    places = {body.name: body.point for body in bodies}
     for at, copy in zip(joints, copies, strict=True):
         point = turned(joint.body(MOVING).point, at.orientation, at.point)
         wrench = np.zeros((3, found.mass.shape[0]))
@@ -159,6 +180,13 @@ def assemble(
                 wrench += sign * np.stack([end[0], end[1], end[2] + x * end[1] - y * end[0]])
         outputs[f"force {at.name}"] = wrench[None, :2]
         wrenches[at.name] = np.stack([*turned((wrench[0], wrench[1]), -at.orientation), wrench[2]])
+        motions[at.name] = np.zeros_like(wrench)
+        for body, sign in ((at.second, 1.0), (at.first, -1.0)):
+            if body in places:
+                u, v, phi = found.motions[body]
+                x, y = np.subtract(point, places[body])
+                moved = turned((u - y * phi, v + x * phi), -at.orientation)
+                motions[at.name] += sign * np.stack([*moved, phi])
         axial = np.concatenate([found.axial[blade.name] * blade.peak[1] for blade in copy.blades])
         bending = np.concatenate(
             [found.bending[blade.name] * blade.peak[0] for blade in copy.blades]
@@ -171,7 +199,7 @@ def assemble(
         outputs[motion.name] = own[None, :]
     return Structure(
         found.mass, found.stiffness, found.pull, found.moved, outputs, own, found.motions,
-        wrenches=wrenches,
+        wrenches=wrenches, joint_motions=motions,
     )  # fmt: skip
 
 

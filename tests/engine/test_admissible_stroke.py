@@ -41,7 +41,7 @@ def test_a_long_stroke_of_a_stage_has_its_rotation_in_it():
     found = admissible(NECKED, {"translation": "7 mm"}, effects=BEAMS)
     assert found.estimated_error is not None
     assert found.value == pytest.approx(15.216e-3, rel=found.estimated_error + PRINTED)
-    assert found.estimated_error < 0.06  # most of it of plates, which are switched off
+    assert found.estimated_error < 0.07  # most of it of plates, which are switched off
 
 
 def test_a_pivot_beyond_the_reach_of_its_formulas_does_not_promise_a_stroke():

@@ -147,7 +147,7 @@ class Dynamic(FactorRequirement):
 
             found = pushed(ask, found, peaks, ())
             if found.stiffer is None:
-                raise NotAvailable("has no response by Miles: its peaks push blades by too much")
+                raise NotAvailable("has no response by Miles: its blades are pushed or bent")
             outputs = miles_outputs(found.structure, vibration, found.stiffer)
             ranges = {
                 # a peak that is told lies in its own range

@@ -1,7 +1,8 @@
-"""What the forces of a vibration's peaks change of the stiffness of a joint, as if they stood.
+"""What bends and pushes blades beside small vibration: stroke, static loads, the peaks themselves.
 
-Modes are those of blades without load. A peak that pushes blades softens them on the way, and one
-of what would buckle the joint if it stood has no linear response.
+Modes are those of straight blades without load. A peak that pushes blades softens them on the way,
+and one of what would buckle the joint if it stood has no linear response. Blades that are bent give
+way along themselves, and a force along them bends them further.
 """
 
 from collections.abc import Mapping
@@ -10,22 +11,37 @@ from math import pi
 
 import numpy as np
 
+from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.states import Acting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import FREE
+from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.requirements.closed_form import least_blade_force
+from flexcli.parts.requirements.shaking import quality_of
 from flexcli.parts.scene import IN_PLANE
-from flexcli.parts.space_joint import joint_in_space
+from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_states import KNOWN
-from flexcli.parts.strained_compliance import shares_beside
-from flexcli.parts.structure import Answer, Structure
+from flexcli.parts.strained_compliance import BentBeside, bent_beside, shares_beside
+from flexcli.parts.structure import MOTIONS, Answer, Structure
 from flexcli.results import EXACT, ErrorRange
 
-__all__ = ["axial_share", "pushed_by_peaks", "pushed_share"]
+__all__ = [
+    "STRAIGHT",
+    "axial_share",
+    "bent_by_motion",
+    "bent_by_stroke",
+    "pushed_by_peaks",
+    "pushed_share",
+]
 
 NEGLIGIBLE = 1e-6
 """Part of the stress of a peak that is along blades up to which nothing pushes them."""
+
+FREELY = 8.0
+"""Times what a force along a bent blade stresses it by that is held across: one that is not."""
+
+STRAIGHT = BentBeside(0.0, 0.0)
 
 ALONE = 4.0
 """Times the load of a blade between guided ends that one bears whose body nothing else holds."""
@@ -47,16 +63,15 @@ def pushed_share(ask: Ask, structure: Structure, answer: Answer) -> float | None
 
     Each component of the wrench on a joint counts by its peak, in either sense, in the plane and
     out of it: what is carried is free but for the joint, whatever ``ends`` a case states. In space
-    it is the share of Euler's load of a blade, in the plane without a shear modulus that of
+    it is the share of Euler's load of a blade, of joints that are no blades in a plane that of
     :func:`axial_share`.
     """
     if not structure.wrenches:
         return axial_share(ask, structure, answer)
     if not _pushes(answer(structure)):
         return 0.0
-    try:
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-    except NotAvailable:
+    joint = _joint(ask)
+    if joint is None:
         return axial_share(ask, structure, answer)
     rows = {
         f"{name} {k}": row[None]
@@ -73,6 +88,66 @@ def pushed_share(ask: Ask, structure: Structure, answer: Answer) -> float | None
         ]
         shares += shares_beside(joint, alone, groups, driven=True)
     return max(shares)
+
+
+def bent_by_motion(ask: Ask, structure: Structure, answer: Answer) -> BentBeside | None:
+    """Return what static loads and the peak travel change by bending blades, in space a stroke too.
+
+    Nothing of what moves a mechanism along its own motion alone, where forces are across its
+    blades; None where it is not known. In a plane modes are those about a stroke, and in space the
+    travel of the peaks is judged by its modes.
+    """
+    standing, peaks = ask.scene.standing, answer(structure)
+    scene = (ask.scene.without_loads() if standing is None else standing).at_assembly()
+    if structure.wrenches:
+        scene = scene._replace(travel=0.0, mean_travel=0.0, middle=0.0)
+    travel = next((abs(peaks[name]) for name in MOTIONS if name in peaks), 0.0)
+    if structure.wrenches:
+        if not _pushes(peaks):
+            return STRAIGHT
+        travel *= 1.0 if ask.mechanism is None else ask.mechanism.joint_travel_per_motion
+    elif scene.moves or scene.is_loaded:
+        travel = 0.0
+    else:
+        return STRAIGHT
+    joint = _joint(ask)
+    if joint is None:
+        return None
+    bent = bent_beside(joint, scene, travel, in_plane=bool(structure.wrenches))
+    if not scene.moves:
+        return bent
+    stressed = FREELY * quality_of(ask.mechanism, ask.scene).largest * bent.stressed
+    return bent._replace(stressed=stressed) if stressed <= KNOWN else None
+
+
+def bent_by_stroke(ask: Ask) -> float | None:
+    """Return by what share more a stroke stresses blades that shake, of a joint in a plane.
+
+    Where no exact beams tell it: of a force along a blade that nothing holds across it, whose lever
+    is what it is bent by, at resonance of the own motion. None where it is not small, and where the
+    body's centre of mass is off the joint's, so that the stroke moves it aside.
+    """
+    standing, joint, mechanism = ask.scene.standing, _joint(ask), ask.mechanism
+    if standing is None or standing.is_loaded or joint is None or ask.geometry.has_masses:
+        return None
+    if mechanism is None or mechanism.arm or mechanism.joints > 1:
+        return None
+    quality = quality_of(mechanism, ask.scene).largest
+    bent = bent_beside(joint, standing.at_assembly(), in_plane=True)
+    share = FREELY * quality * bent.stressed
+    return share if share <= KNOWN else None
+
+
+def _joint(ask: Ask) -> SpaceJoint | None:
+    """Return the joint in space, its blades as far apart as long where nothing says it."""
+    geometry, (elastic, *_) = ask.geometry, ask.material.elastic.likely
+    try:
+        if geometry.in_space:
+            return SpaceJoint(geometry.space_layout(elastic, ask.sizes))
+        plane, turns = geometry.blades_layout(elastic, ask.sizes), geometry.motion == "rotation"
+        return SpaceJoint(from_plane(plane, MOVING, turns=turns, density=0.0))
+    except NotAvailable:
+        return None
 
 
 def _pushes(peaks: Mapping[str, float]) -> bool:

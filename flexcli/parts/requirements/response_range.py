@@ -1,9 +1,10 @@
 """The response of a structure over the range of its uncertain stiffness and masses."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +20,23 @@ from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.structure import Answer, Structure
 from flexcli.results import EXACT, ErrorRange, QuantityKind, error_of_ratio
 
+if TYPE_CHECKING:
+    from flexcli.parts.strained_compliance import BentBeside
+
 __all__ = ["Uncertain", "between", "compounded", "pushed", "uncertain_structure"]
 
 Floats = NDArray[np.float64]
+Peaks = Mapping[str, float]
 
 STEPS = 5
 """Stiffnesses between both ends of the range: the response has no narrower features between the
 frequencies at which the excitation changes, which are added."""
+
+SOFTENED = 12
+"""Steps of what blades that are bent give way along themselves."""
+
+TINY = 1e-3
+"""Share by which they do that no response notices."""
 
 MOST_MODES = 8
 """Lowest modes that are moved onto each such frequency."""
@@ -104,18 +115,50 @@ def _largest(at_places: Floats) -> float:
 
 
 def pushed(ask: Ask, found: Uncertain, answer: Answer, frequencies: tuple[float, ...]) -> Uncertain:
-    """Return a mechanism over what its own peaks change of its stiffness as well.
+    """Return a mechanism over what bends and pushes its blades beside small vibration.
 
-    Without a bound from above where they push its blades by as much as buckles them, or nearly.
+    Without a bound from above where peaks push blades by as much as buckles them, or nearly.
     """
-    from flexcli.parts.requirements.pushed_by_peaks import pushed_by_peaks
+    from flexcli.parts.requirements import pushed_by_peaks as beside
 
     if found.others is None:
         return found
-    changed = pushed_by_peaks(ask, found.structure, answer)
-    if changed is None:
+    changed = beside.pushed_by_peaks(ask, found.structure, answer)
+    bent = beside.bent_by_motion(ask, found.structure, answer)
+    if changed is None or bent is None:
         return replace(found, stiffer=None, is_bounded=False)
-    return found if changed == EXACT else uncertain_structure(ask, frequencies, changed)
+    if changed != EXACT:
+        found = uncertain_structure(ask, frequencies, changed)
+    return found if bent == beside.STRAIGHT else _bent(found, bent, answer)
+
+
+def _bent(found: Uncertain, bent: "BentBeside", answer: Answer) -> Uncertain:
+    """Return a mechanism whose blades are bent: softer along them, and bent further by that force.
+
+    At one of both faces it adds to the stress. In space, where stresses are not told apart, all of
+    a stress is taken to be of that force.
+    """
+    assert found.others is not None  # it is known
+    structure, along = found.structure, 1.0
+    shares = [bent.softer * (k / SOFTENED) ** 2 for k in range(1, SOFTENED + 1)]
+    if not structure.wrenches:
+        softened = [structure.stiffened(1.0 / (1.0 + share)) for share in shares]
+    else:
+        softened = [structure.softened_along(share) for share in shares]
+        peaks = answer(structure)
+        along = max(_of(answer(each), "axial") for each in (structure, *softened))
+        along /= _of(peaks, "stress") or inf
+    off, inner = bent.stressed * along, found.shape_error
+    return replace(
+        found,
+        others=(*found.others, *softened),
+        shape_error=lambda peaks, reached: compounded(inner(peaks, reached), ErrorRange(0.0, off)),
+        stiffer=found.stiffer if bent.softer <= TINY else None,
+    )
+
+
+def _of(peaks: Peaks, prefix: str) -> float:
+    return max((peak for name, peak in peaks.items() if name.startswith(prefix)), default=0.0)
 
 
 def uncertain_structure(
@@ -154,7 +197,18 @@ def uncertain_structure(
         raise RequirementError(f"a {geometry.name} {error}", hint) from error
     stands_in = ask.joint_model is STAND_IN  # its stiffness is a number, no joint's
     factor = 1.0 if stands_in else float(ask.joint_model.stiffness(ask)) / joint
-    structure = plain.stiffened(factor)
+    bases = [plain] if heavy is None else [plain, heavy]
+    stressed: float | None = 0.0
+    if not stands_in and _stands_bent(ask):
+        from flexcli.parts.modes_at_stroke import structures_at_stroke
+        from flexcli.parts.requirements.pushed_by_peaks import bent_by_stroke
+
+        at_ends = [structures_at_stroke(ask, base) for base in bases]
+        if None in at_ends:
+            stressed = bent_by_stroke(ask)
+        # on its way it is between both ends and rest
+        bases = [each for ends in at_ends if ends is not None for each in ends] + bases
+    structure = bases[0].stiffened(factor)
     off = ask.joint_model.error(ask, QuantityKind.STIFFNESS)
     if off is None or geometry.has_limbs(elastic, sizes):
         return Uncertain(structure, None)
@@ -171,12 +225,13 @@ def uncertain_structure(
     if low <= 0.0 or high == inf:
         return Uncertain(structure, None)
     others = []
-    for base in (plain, heavy) if heavy is not None else (plain,):
+    for base in bases:
         onto = sorted(set(_onto(base, frequencies, low, high)))
         chosen = {*np.linspace(low, high, STEPS).tolist(), *onto[:: 1 + len(onto) // MOST_FACTORS]}
         others += [base.stiffened(each) for each in sorted(chosen)]
-    stiffer = (low / factor, high / factor) if heavy is None else None
-    return Uncertain(structure, tuple(others), stiffer=stiffer)
+    stiffer = (low / factor, high / factor) if len(bases) == 1 and stressed == 0.0 else None
+    off = ErrorRange(0.0, stressed or 0.0)
+    return Uncertain(structure, tuple(others), lambda *_: off, stiffer, stressed is not None)
 
 
 def _in_space(ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange) -> Uncertain:
@@ -203,6 +258,12 @@ def _in_space(ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange) -> 
         others += tuple(own.stiffened(f) for f in onto[:: 1 + len(onto) // MOST_FACTORS])
         others += (own.stiffened(1.0 / (1.0 + ask.clamp_softening)),)
     return Uncertain(own, others, partial(shape_error, joint, own, ask.scene.shaken_axes))
+
+
+def _stands_bent(ask: Ask) -> bool:
+    """Return whether a stroke stands beside a vibration of more than the mechanism's own motion."""
+    standing = ask.scene.standing
+    return standing is not None and standing.moves and _leaves_its_motion(ask)
 
 
 def _stiffened_by_loads(ask: Ask) -> ErrorRange | None:

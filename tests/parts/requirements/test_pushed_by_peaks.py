@@ -100,7 +100,17 @@ def test_narrow_blades_are_pushed_out_of_their_plane_by_less():
     assert found.factor_range[0] < 1.01 / pushed < found.factor / 6.0
 
 
-def test_without_poisson_s_ratio_the_plane_tells():
+def test_without_poisson_s_ratio_blades_are_pushed_by_as_much():
     plain = {name: value for name, value in MATERIAL.items() if name != "poisson_ratio"}
-    pushed, axial, _ = shares(spec("20 mg", level="1e-4", material=plain))
-    assert pushed == axial > 0.0
+    (with_it, *_), (without, *_) = (
+        shares(spec("20 mg", level="1e-4", material=material)) for material in (MATERIAL, plain)
+    )
+    assert without == pytest.approx(with_it, rel=0.02)
+
+
+def test_blades_whose_distance_is_not_stated_are_pushed_by_as_much():
+    near = {name: value for name, value in STAGE.items() if name != "spacing"}
+    (stated, *_), (without, *_) = (
+        shares(spec("20 mg", level="1e-4", geometry=geometry)) for geometry in (STAGE, near)
+    )
+    assert without == pytest.approx(stated, rel=1e-6)
