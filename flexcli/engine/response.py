@@ -15,7 +15,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements import Ask, RequirementError, Requirements
-from flexcli.parts.requirements.response_range import uncertain_structure
+from flexcli.parts.requirements.response_range import pushed, uncertain_structure
 from flexcli.parts.requirements.shaking import (
     RANDOM,
     SHAKES,
@@ -230,12 +230,14 @@ def _worst_values(ask: Ask) -> dict[str, Value]:
     found: dict[str, Value] = {}
     case, each = ask.scene.case, list(shakings(ask, _by_sigma))
     for shaking in (*each, *(at_once(ask, _by_sigma) if len(each) > 1 else ())):
-        over = uncertain_structure(ask, shaking.changes_at).of(shaking.peaks)
+        own = uncertain_structure(ask, shaking.changes_at)
+        beside = pushed(ask, own, shaking.peaks, shaking.changes_at)
+        over = beside.of(shaking.peaks)
         for word, label in (("stress", "stress at a blade's end"), ("force", "force on a joint")):
             at = max((n for n in over if n.startswith(word)), key=lambda name: over[name][0])
             peak, error = over[at]
             where, unit = f"{label}, {at.split()[-1]}, {case}", UNITS[word]
-            known = error.largest if error is not None else None
+            known = error.largest if error is not None and beside.is_bounded else None
             one = {f"{word}_peak_{case}": Value(peak, unit, f"peak {where}", MODEL, "", known)}
             if shaking.kind in RANDOM:
                 assert ask.scene.vibration is not None  # it is random
