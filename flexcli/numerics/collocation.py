@@ -16,6 +16,7 @@ __all__ = [
     "integration_to",
     "interpolation_matrix",
     "refining_matrix",
+    "slope_matrix",
 ]
 
 Floats = NDArray[np.float64]
@@ -71,6 +72,12 @@ def integration_to(count: int, points: Floats) -> Floats:
 def interpolation_matrix(count: int, points: Floats) -> Floats:
     """Return the matrix that takes values at the Gauss nodes to the points, through Legendre."""
     return np.asarray(np.polynomial.legendre.legvander(points, count - 1) @ _coefficients(count))
+
+
+def slope_matrix(count: int, points: Floats) -> Floats:
+    """Return the matrix that takes values at the Gauss nodes to slopes at the points."""
+    slopes = np.polynomial.legendre.legder(_coefficients(count))
+    return np.asarray(np.polynomial.legendre.legvander(points, len(slopes) - 1) @ slopes)
 
 
 @functools.cache

@@ -76,7 +76,7 @@ def greatest_values(
     """Return the greatest value of each row of a smooth function, and its time.
 
     ``values`` are those at ``times`` (S, N), rising, dense enough that the greatest sample is next
-    to the greatest value; ``function`` takes times (S, 3). Refined by parabolas.
+    to the greatest value; ``function`` takes times (S, n). Refined by parabolas.
     """
     rows = np.arange(times.shape[0])
     at = np.argmax(values, axis=1)
@@ -96,7 +96,7 @@ def greatest_values(
         bend = left - 2.0 * here + right
         shift = np.where(bend < 0.0, 0.5 * (left - right) / np.where(bend < 0.0, bend, 1.0), 0.0)
         vertex = np.clip(middle + reach * np.clip(shift, -1.0, 1.0), first_time, last_time)
-        found = function(np.repeat(vertex[:, None], 3, axis=1))[:, 0]
+        found = function(vertex[:, None])[:, 0]
         better = found > best
         best_time, best = np.where(better, vertex, best_time), np.where(better, found, best)
         reach = reach * _CLOSER

@@ -58,7 +58,7 @@ def solved_and_counted(A: Floats, b: Floats, large: int = LARGE) -> tuple[Floats
     if not np.isfinite(A).all():
         raise np.linalg.LinAlgError("a matrix that is not finite")
     room, _ = dsytrf_lwork(n, lower=1)
-    factors, pivots, info = dsytrf(np.asfortranarray(A), lower=1, lwork=int(room))
+    factors, pivots, info = dsytrf(A.T, lower=1, lwork=int(room))
     if info > 0:
         raise np.linalg.LinAlgError("singular matrix")
     x, _ = dsytrs(factors, pivots, b, lower=1)

@@ -416,7 +416,7 @@ cases:
   beside: {stroke: {rotation: 1 mrad}, load: {force: 1 mN}}
 requirements: {yield: 1}
 """
-    alone, beside = (c for c in flexcli.check(text, model=model).checks if "yield" in c.name)
+    alone, beside = (c for c in flexcli.verdicts(text, model=model).checks if "yield" in c.name)
     pull = 1e-3 / (0.2e-3 * 1e-3)
     assert alone.demand <= beside.demand <= (alone.demand + pull) * 1.001
     assert (beside.factor_range is not None) is (model == "exact")

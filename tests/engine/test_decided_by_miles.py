@@ -32,7 +32,7 @@ def stage(*, h=1e-3, l=40e-3, mass=0.15, q=30.0, factor=1.25, profile=None, kind
 
 
 def the_check(source, model=None):
-    (found,) = flexcli.check(source, model=model).checks
+    (found,) = flexcli.verdicts(source, model=model).checks
     return found
 
 

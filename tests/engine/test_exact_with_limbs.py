@@ -35,7 +35,7 @@ def checked(tmp_path, kind, requirements, *, blocks="blocks: 3 mm", case=None, m
     case = STROKES[kind] if case is None else case
     text = SPEC.format(kind=kind, blocks=blocks, case=case, requirements=requirements)
     path.write_text(text, encoding="utf-8")
-    checks = flexcli.check(path, model=model).checks
+    checks = flexcli.verdicts(path, model=model).checks
     (check,) = (c for c in checks if c.verdict.value != "not judged" and c.name != "geometry")
     return check
 

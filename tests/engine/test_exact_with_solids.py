@@ -35,13 +35,14 @@ def checked(
     model=None,
     mechanism="",
     nu=0.3,
+    verb=flexcli.verdicts,
 ):
     path = tmp_path / "flexure.yaml"
     text = NOTCH.format(
         kind=kind, blocks=blocks, case=case, requirements=requirements, mechanism=mechanism, nu=nu
     )
     path.write_text(text, encoding="utf-8")
-    return flexcli.check(path, model=model).checks
+    return verb(path, model=model).checks
 
 
 def only(checks):
@@ -152,7 +153,7 @@ def test_nominal_stress_is_left_to_beams(tmp_path):
 def test_a_joint_without_solids_says_so(tmp_path):
     blade = {"kind": "moment-blade, h: 0.5 mm, l: 10 mm", "blocks": "b: 10 mm"}
     with pytest.raises(SolveError, match="has no solid model"):
-        checked(tmp_path, "  yield: 1", **blade, model="solid")
+        checked(tmp_path, "  yield: 1", **blade, model="solid", verb=flexcli.check)
 
 
 def test_the_force_of_a_drive_is_that_of_the_solid(tmp_path):
@@ -249,10 +250,10 @@ def test_solids_are_not_asked_where_the_spec_leaves_out_what_they_have_of_thick_
         kind=THICK, blocks=STATED, case=STROKE, mechanism="", nu=0.3,
         requirements="  stiffness: {min: 1 N*m/rad}",
     )  # fmt: skip
-    value = flexcli.check(text, model="exact").checks[0].factor
+    value = flexcli.verdicts(text, model="exact").checks[0].factor
     near = text.replace("min: 1 N*m/rad", f"min: {0.99 * value} N*m/rad")
     whole, without = (
-        flexcli.check(each).checks[0] for each in (near, near + "effects: {thick-notch: off}\n")
+        flexcli.verdicts(each).checks[0] for each in (near, near + "effects: {thick-notch: off}\n")
     )
     assert whole.model == "solid"
     assert (without.model, without.verdict.value) == ("exact", "undecided")

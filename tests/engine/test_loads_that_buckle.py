@@ -7,7 +7,7 @@ from scipy.optimize import brentq
 from scipy.special import ellipk
 from strategies import design
 
-from flexcli.engine.check import check
+from flexcli.engine.check import verdicts
 from flexcli.engine.models import model_series
 from flexcli.results import Verdict
 
@@ -30,7 +30,7 @@ def judged(force, direction="180 deg", model=None):
         {"kind": "cantilever", "h": f"{H} m", "l": f"{L} m", "b": f"{B} m"}, {"yield": 1.5},
         {"push": {"load": {"force": f"{force} N", "direction": direction}}}, material=STEEL,
     )  # fmt: skip
-    (row,) = check(spec, spec.fixed_sizes(), "test", model).checks
+    (row,) = verdicts(spec, spec.fixed_sizes(), "test", model).checks
     return row
 
 
@@ -64,7 +64,7 @@ def test_a_column_that_leans_from_the_first_on_may_bear_no_more_than_euler_s_loa
     )  # fmt: skip
     (row,) = (
         row
-        for row in check(spec, spec.fixed_sizes(), "test", model).checks
+        for row in verdicts(spec, spec.fixed_sizes(), "test", model).checks
         if "in the plane" in row.source or "thickness" in row.quantity
     )
     low, high = row.factor_range
@@ -75,7 +75,7 @@ def test_a_column_that_leans_from_the_first_on_may_bear_no_more_than_euler_s_loa
 
 def worst(geometry, case):
     spec = design(geometry, {"yield": 1.5}, {"work": case}, material=STEEL)
-    (row,) = check(spec, spec.fixed_sizes(), "test").checks
+    (row,) = verdicts(spec, spec.fixed_sizes(), "test").checks
     return row
 
 
@@ -136,7 +136,7 @@ def test_of_two_senses_the_one_that_pushes_is_seen_to_buckle_however_far_beyond(
                   "fatigue_amplitude": {"value": "40 GPa", "cycles": 1e6, "stress_ratio": -1}},
         mechanism={"kind": "payload", "mass": "0.3 kg", "inertia": "1.4e-5 kg*m^2"},
     )  # fmt: skip
-    for row in check(spec, spec.fixed_sizes(), "test").checks:
+    for row in verdicts(spec, spec.fixed_sizes(), "test").checks:
         assert row.verdict is Verdict.FAIL
         assert row.factor_range == pytest.approx((1.0 / times, 1.0 / times), rel=5e-3)
 
@@ -164,7 +164,7 @@ def pushed_along_its_width(force, kind, requirements, model=None):
     }[kind]  # fmt: skip
     case = {"push": {"wrench": {"z": f"{force} N"}}}
     spec = design(drawn, requirements, case, material=STRIP)
-    return check(spec, spec.fixed_sizes(), "test", model).checks
+    return verdicts(spec, spec.fixed_sizes(), "test", model).checks
 
 
 @pytest.mark.parametrize(("kind", "times"), [("cantilever", 4.0), ("space-layout", 1.1)])
@@ -216,7 +216,7 @@ def test_a_body_that_falls_over_its_blades_fails_though_it_stands_straight():
             },
             {"yield": 1.5}, {"ground": {"acceleration": {"y": "-1 g"}}}, material=STEEL,
         )  # fmt: skip
-        (row,) = check(spec, spec.fixed_sizes(), "test").checks
+        (row,) = verdicts(spec, spec.fixed_sizes(), "test").checks
         found.append(row)
     k = 2.0 * 210e9 * 10e-3 * 0.3e-3**3 / 12.0 / (sqrt(2.0) * 20e-3)
     assert 0.4 * 9.81 * 0.04 < k < 0.4 * 9.81 * 0.12
@@ -229,7 +229,7 @@ def test_a_torsion_bar_that_is_pushed_along_its_axis_buckles_as_a_column():
         {"kind": "torsion-bar", "h": "0.5 mm", "l": "50 mm", "b": "3 mm"}, {"buckling": 1.9},
         {"push": {"wrench": {"z": f"-{half} N"}}}, material=STEEL,
     )  # fmt: skip
-    (row,) = check(spec, spec.fixed_sizes(), "test", "exact").checks
+    (row,) = verdicts(spec, spec.fixed_sizes(), "test", "exact").checks
     # a wide bar is stiffer by what its clamps keep it from curling
     assert row.factor == pytest.approx(2.0, rel=0.01)
     assert row.verdict is Verdict.PASS

@@ -67,7 +67,7 @@ def test_no_section_bears_more_whichever_way_a_force_is(kind, area, force, mecha
     most = STRENGTH * area / abs(float(force[3:]))
     of = {"strength": STRENGTH, "kind": kind, "force": force, "mechanism": mechanism}
     said = [
-        flexcli.check(ALONE.format(**of, low=0.1, factor=asked)).checks[0]
+        flexcli.verdicts(ALONE.format(**of, low=0.1, factor=asked)).checks[0]
         for asked in (1.01 * most, 0.9 * most)
     ]
     assert said[0].verdict.value == "fail", said[0]
@@ -82,7 +82,7 @@ geometry: {kind: rcc, p: 2 mm, half_angle: 45 deg, h: 2 mm, l: 10 mm, b: 1 mm}
 cases: {push: {load: {force: 640 N}, ends: clamped-clamped}}
 requirements: {buckling: 1}
 """
-    (check,) = flexcli.check(text).checks
+    (check,) = flexcli.verdicts(text).checks
     euler = 4.0 * pi**2 * 114e9 * 1e-3**2 / 12.0 / 10e-3**2
     stress = 830e6 * (1.0 - 830e6 / (4.0 * euler))
     assert check.factor == pytest.approx(stress * 2e-6 * sqrt(2.0) / 640.0, rel=1e-9)

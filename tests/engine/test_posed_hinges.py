@@ -76,9 +76,9 @@ requirements: {{deflection: {{direction: {axis}, max: 1 m}}}}
 def test_a_deflection_along_a_small_stroke_is_as_sure_as_its_own_springs():
     """Blocks may be soft along blades, which a force along the stroke does not feel."""
     text = spec_of(STAGE, "translation: 0.2 mm")
-    (row,) = (c for c in flexcli.check(text).checks if c.name.startswith("deflection"))
+    (row,) = (c for c in flexcli.verdicts(text).checks if c.name.startswith("deflection"))
     (exact,) = (
-        c for c in flexcli.check(text, model="exact").checks if c.name.startswith("deflection")
+        c for c in flexcli.verdicts(text, model="exact").checks if c.name.startswith("deflection")
     )
     assert row.verdict.value == "pass"
     low, high = (exact.factor / end - 1.0 for end in reversed(exact.factor_range))

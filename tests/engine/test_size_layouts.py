@@ -116,7 +116,7 @@ def test_a_sized_layout_keeps_its_grid_and_its_objective():
     given = {"parameters.l": "55 mm", "parameters.h": "500 um"}
     spec = flexcli.load(GUIDED.format(**RANGES) + size, overrides=given)
     assert not spec.part.geometry.free
-    assert flexcli.size(spec).status is flexcli.check(spec).status
+    assert flexcli.size(spec).status is flexcli.verdicts(spec).status
 
 
 @pytest.mark.slow
@@ -339,10 +339,11 @@ def test_a_kinematic_mount_is_sized_for_the_cold():
     assert by_hand < along.demand < by_hand / (1.0 - 0.342**2)  # from a strip to a plate
     assert across.demand > along.demand  # clamps keep blades from growing across
     assert (
-        flexcli.check(TANGENTIAL.replace("{free: [8 mm, 60 mm]}", f"{l!r} m")).status is Status.PASS
+        flexcli.verdicts(TANGENTIAL.replace("{free: [8 mm, 60 mm]}", f"{l!r} m")).status
+        is Status.PASS
     )
     short = TANGENTIAL.replace("{free: [8 mm, 60 mm]}", f"{0.95 * l!r} m")
-    assert flexcli.check(short).status is not Status.PASS
+    assert flexcli.verdicts(short).status is not Status.PASS
 
 
 def test_models_after_the_first_are_asked_of_a_drawing_as_it_is_drawn():

@@ -177,10 +177,10 @@ def test_a_material_whose_sections_curl_more_has_a_wider_range(tmp_path):
     ((_, row), *_) = [found for found in blades.found("solids") if found[0].nu == 0.45]
     solid = row["support"][3]  # about the blade's normal
     for model in ("exact", "shell"):
-        (check,) = flexcli.check(path, model=model).checks
+        (check,) = flexcli.verdicts(path, model=model).checks
         low, high = check.factor_range
         assert low <= solid <= high
-    (beams,) = flexcli.check(path, model="exact").checks
+    (beams,) = flexcli.verdicts(path, model="exact").checks
     assert beams.factor > 1.06 * solid
 
 

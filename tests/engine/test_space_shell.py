@@ -50,7 +50,7 @@ def test_support_at_stroke_is_that_of_solids_within_half_of_what_beams_tell(tmp_
         for axis in SOLID
     )
     path = spec(tmp_path, f"  support: [{wanted}]")
-    by = {model: flexcli.check(path, model=model).checks for model in ("exact", "shell")}
+    by = {model: flexcli.verdicts(path, model=model).checks for model in ("exact", "shell")}
     for axis, exact, shell in zip(SOLID, *by.values(), strict=True):
         low, high = shell.factor_range
         assert low <= SOLID[axis] <= high

@@ -103,7 +103,7 @@ cases: {{work: {{stroke: {{rotation: 1 mrad}}, wrench: {{z: 10 mN}}{heat}}}}}
 requirements: {{deflection: {{direction: z, max: 1 mm}}}}
 """
     cold, warm = (
-        flexcli.check(text.format(heat=heat), model="exact").checks[0]
+        flexcli.verdicts(text.format(heat=heat), model="exact").checks[0]
         for heat in ("", ", temperature: {uniform: 1 K}")
     )
     assert warm.demand == pytest.approx(cold.demand, rel=1e-3)
@@ -119,7 +119,7 @@ geometry: {kind: cantilever, h: 0.2 mm, l: 20 mm, b: 4 mm}
 cases: {work: {wrench: {y: 1 mN}, temperature: {uniform: 1 K}}}
 requirements: {deflection: {direction: y, max: 1 mm}}
 """
-    (row,) = (each for each in flexcli.check(text).checks if each.name.startswith("deflection"))
+    (row,) = (each for each in flexcli.verdicts(text).checks if each.name.startswith("deflection"))
     assert row.model == "closed-form"
     assert row.verdict is Verdict.PASS
 
@@ -210,7 +210,7 @@ def test_a_push_along_a_guided_blade_fails_where_it_buckles_it(times):
     """A guide keeps its end from turning: π² EI/l², four times that of a free one."""
     h, l, b = 0.1e-3, 40e-3, 2e-3
     force = times * 9.8696 * E * b * h**3 / 12.0 / l**2
-    (row,) = flexcli.check(f"""
+    (row,) = flexcli.verdicts(f"""
 flexure: 1
 material: {{youngs_modulus: 114 GPa, poisson_ratio: 0, density: 1 kg/m^3}}
 geometry: {{kind: guided-blade, h: {h} m, l: {l} m, b: {b} m}}
@@ -260,7 +260,7 @@ requirements: {{{{deflection: {{{{direction: y, max: {{most}} m}}}}}}}}
 """
     pulled = force * l / (E * b * h)
     said = {
-        share: flexcli.check(text.format(most=share * pulled)).checks[0].verdict
+        share: flexcli.verdicts(text.format(most=share * pulled)).checks[0].verdict
         for share in (0.95, 1.5)
     }
     assert said == {0.95: Verdict.FAIL, 1.5: Verdict.UNDECIDED}
@@ -280,7 +280,7 @@ requirements: {{deflection: {{direction: z, max: 1 m}}}}
     sags = f"acceleration: {{level: {level} m/s^2, axis: x}}"
 
     def deflection(moves, model):
-        checks = flexcli.check(text.format(moves=moves), model=model).checks
+        checks = flexcli.verdicts(text.format(moves=moves), model=model).checks
         return next(row for row in checks if row.name.startswith("deflection"))
 
     sagged = deflection(sags, "exact")

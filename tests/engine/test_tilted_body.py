@@ -399,7 +399,7 @@ def test_a_source_keeps_the_body_upright_under_vibration():
     told = []
     for tilt in ("free", "held"):
         words["geometry"]["tilt"] = tilt
-        told.append(flexcli.check(yaml.safe_dump(words), model="source").checks[0].demand)
+        told.append(flexcli.verdicts(yaml.safe_dump(words), model="source").checks[0].demand)
     assert told[0] == pytest.approx(told[1], rel=1e-9)
 
 

@@ -1,8 +1,11 @@
+from itertools import combinations_with_replacement
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import legendre
+from scipy.linalg import solve
 
 from flexcli.formulas.restrained_torsion import (
     CARDS,
@@ -71,7 +74,7 @@ class Block:
         self.shapes = [[self.along(i, d, u) for d, (u, _) in enumerate(rules)] for i in range(3)]
         n = int(np.prod(orders))
         K = np.zeros((3 * n, 3 * n))
-        for i, j in np.ndindex(3, 3):
+        for i, j in combinations_with_replacement(range(3), 2):  # symmetric: the upper triangle
             both = self.lame * self.product(i, i, j, j) + self.product(i, j, j, i)
             if i == j:
                 both = both + sum(self.product(i, d, i, d) for d in range(3))
@@ -83,7 +86,7 @@ class Block:
             power[away] = 1
             F[:n] += sign / long * self.integral(0, d, power)
             F[d * n : (d + 1) * n] += sign / long * self.integral(d, 0, power)
-        self.motion = np.linalg.solve(K, -F)
+        self.motion = solve(K, -F, assume_a="pos", overwrite_a=True, check_finite=False)
         self.stiffness = thick * (1 + thick**2) / 12 / long + F @ self.motion
         self.thick, self.long = thick, long
 

@@ -7,6 +7,7 @@ from flexcli.numerics.collocation import (
     integration_matrix,
     integration_to,
     interpolation_matrix,
+    slope_matrix,
 )
 from flexcli.numerics.stack import solve_stack
 
@@ -45,6 +46,17 @@ def test_interpolation_and_integration_agree_at_any_point():
     assert interpolation_matrix(14, points) @ np.exp(u) == pytest.approx(np.exp(points), rel=1e-11)
     exact = np.exp(points) - np.exp(-1.0)
     assert integration_to(14, points) @ np.exp(u) == pytest.approx(exact, abs=1e-13)
+    assert slope_matrix(14, points) @ np.exp(u) == pytest.approx(np.exp(points), rel=1e-10)
+
+
+@pytest.mark.parametrize("count", [1, 2, 5, 12, 40])
+def test_slopes_are_those_of_the_polynomial_through_the_nodes(count):
+    u, _ = gauss_nodes(count)
+    points = np.linspace(-1.0, 1.0, 5)
+    exact = (count - 1) * points ** max(count - 2, 0)
+    assert slope_matrix(count, points) @ u ** (count - 1) == pytest.approx(
+        exact, rel=1e-10, abs=1e-9
+    )
 
 
 def test_a_singular_matrix_of_a_stack_stays_alone():

@@ -8,6 +8,7 @@ import pytest
 from plates import hinged_limb
 from specs_for_tests import in_steel
 
+import flexcli
 from flexcli.errors import SpecError
 from flexcli.results import Status
 
@@ -72,7 +73,8 @@ def test_stated_blocks_decide_a_stiffness_that_is_open_without_them(kind, limb, 
     room = 0.06 if block == "square" else 0.12
     for share, verdict in ((1.0 + room, Status.FAIL), (1.0 - room, Status.PASS)):
         least = {"stiffness": {"min": f"{share * true!r} {unit(kind)}"}}
-        assert in_steel(geometry(kind, limb, block), least).status is verdict
+        of = geometry(kind, limb, block)
+        assert in_steel(of, least, verb=flexcli.verdicts).status is verdict
         if limb == "usual":
             continue
         result = in_steel(geometry(kind, limb), least, model="exact")
@@ -91,7 +93,8 @@ def test_every_model_has_the_stiffness_of_the_bodies_in_its_range(kind, model):
             true = stiffness(kind, limb, block)
             for stated in (block, None):
                 asked = {"stiffness": {"min": f"{true!r} {unit(kind)}"}}
-                (found,) = in_steel(geometry(kind, limb, stated), asked, model=model).checks[-1:]
+                of = geometry(kind, limb, stated)
+                (found,) = in_steel(of, asked, model, verb=flexcli.verdicts).checks[-1:]
                 if found.factor_range is not None:
                     assert found.factor_range[0] <= 1.0 <= found.factor_range[1]
 

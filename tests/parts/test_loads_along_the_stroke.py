@@ -35,7 +35,7 @@ def stress_per_moment():
 def test_stress_of_a_moment_is_that_of_the_travel_which_it_makes(model):
     moment = 1e-6
     case = {"work": {"wrench": {"theta_z": f"{moment} N*m"}}}
-    (found,) = flexcli.check(yaml.safe_dump({**SPEC, "cases": case}), model=model).checks
+    (found,) = flexcli.verdicts(yaml.safe_dump({**SPEC, "cases": case}), model=model).checks
     low, high = found.factor_range
     expected = stress_per_moment() * moment
     assert found.demand == pytest.approx(expected, rel=1e-4)
@@ -47,7 +47,7 @@ def test_a_moment_beside_a_stroke_is_in_the_range_of_what_both_bend(stroke):
     case = {"work": {"wrench": {"theta_z": "1 N*m"}, "stroke": {"rotation": stroke}}}
     text = yaml.safe_dump({**SPEC, "cases": case})
     ranges = [
-        flexcli.check(text, model=model).checks[0].factor_range
+        flexcli.verdicts(text, model=model).checks[0].factor_range
         for model in ("closed-form", "linear", "exact")
     ]
     assert max(low for low, _ in ranges) <= min(high for _, high in ranges)
@@ -60,7 +60,7 @@ def test_a_small_moment_beside_a_stroke_leaves_a_small_part_of_its_range():
         case = {"work": {"wrench": {"theta_z": f"{moment} N*m"},
                          "stroke": {"rotation": ["0 deg", "0.2 deg"]}}}  # fmt: skip
         text = yaml.safe_dump({**SPEC, "cases": case})
-        found = {m: flexcli.check(text, model=m).checks[0] for m in ("closed-form", "exact")}
+        found = {m: flexcli.verdicts(text, model=m).checks[0] for m in ("closed-form", "exact")}
         (low, high), exact = found["closed-form"].factor_range, found["exact"].factor
         assert low <= exact <= high
         width.append(high / low - 1.0)
@@ -79,5 +79,5 @@ def test_a_moment_on_a_drawn_wide_blade_is_borne_by_its_section():
     }
     spec = {**SPEC, "geometry": layout, "cases": {"work": {"wrench": {"theta_z": "1e-3 N*m"}}}}
     spec.pop("effects")
-    (found,) = flexcli.check(yaml.safe_dump(spec), model="exact").checks
+    (found,) = flexcli.verdicts(yaml.safe_dump(spec), model="exact").checks
     assert found.demand == pytest.approx(6.0 * 1e-3 / (30e-3 * 0.2e-3**2), rel=1e-3)

@@ -5,6 +5,7 @@ Half of the blade's thickness, and half of its length, which end in symmetry. Th
 its back. Shares no code with the package.
 """
 
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -17,6 +18,8 @@ __all__ = ["beam_compliances", "beyond_beam", "edge_stresses", "over_beam"]
 
 DEGREE, FINE = 5, 8
 """Of stiffnesses, and where stresses are evaluated."""
+
+_gauss = cache(legendre.leggauss)
 
 FREE = 0.97
 """Share of a fillet on which the stress at its edge is evaluated: where it ends it has a corner."""
@@ -41,7 +44,7 @@ def beyond_beam(r, straight, *, body=None, nu=0.3):
 def beam_compliances(r, straight, *, nu=0.3):
     """Return the compliances of the beam of the profile: its rotation, travel and elongation."""
     half = straight / 2.0
-    g, w = legendre.leggauss(400)
+    g, w = _gauss(400)
     phi = np.pi / 4.0 * (g + 1.0)
     places, weights = r * np.sin(phi), w * np.pi / 4.0 * r * np.cos(phi)
     h = 1.0 + 2.0 * r * (1.0 - np.cos(phi))

@@ -6,6 +6,7 @@ the pose in which nothing is strained; a body of no listed name is the ground.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from math import hypot, inf, pi
 from typing import NamedTuple, TypeAlias
 
@@ -179,14 +180,12 @@ class SpaceBlade:
         """Return whether nothing is counted that keeps its ends flat."""
         return self.warps or not self.feels.warping
 
-    @property
+    @cached_property
     def axes(self) -> Floats:
-        """Return its axes as rows: x along it, y across its thickness, z across its width."""
+        """Its axes as rows, not writable: x along it, y across its thickness, z its width."""
         x = along(self.start, self.end)
         z = np.asarray(self.width, dtype=np.float64)
-        z = z - (z @ x) * x
-        z = z / np.linalg.norm(z)
-        return np.stack([x, np.cross(z, x), z])
+        return _rows(x, z - (z @ x) * x)
 
 
 @dataclass(frozen=True, eq=False)
@@ -226,13 +225,11 @@ class SpaceRod:
         """Return the shear of torsion at its faces over G times the twist per length [m]."""
         return self.d / 2.0
 
-    @property
+    @cached_property
     def axes(self) -> Floats:
-        """Return its axes as rows, x along it; y and z are any two across."""
+        """Its axes as rows, not writable: x along it; y and z are any two across."""
         x = along(self.start, self.end)
-        z = np.cross(x, np.eye(3)[int(np.argmin(np.abs(x)))])
-        z = z / np.linalg.norm(z)
-        return np.stack([x, np.cross(z, x), z])
+        return _rows(x, np.cross(x, np.eye(3)[int(np.argmin(np.abs(x)))]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -423,6 +420,14 @@ def grown_ends(layout: SpaceLayout, blade: SpaceBlade | SpaceRod) -> tuple[Float
     seats = seats_grown(layout, blade)
     own = layout.blade_growth.get(blade.name, 0.0) * np.subtract(blade.end, blade.start)
     return seats[:3], seats[3:] - own
+
+
+def _rows(x: Floats, z: Floats) -> Floats:
+    """Return the axes of a unit vector and of one across it, of any length."""
+    z = z / np.linalg.norm(z)
+    axes = np.stack([x, np.cross(z, x), z])
+    axes.setflags(write=False)
+    return axes
 
 
 def along(start: Vector, end: Vector) -> Floats:

@@ -41,6 +41,12 @@ TWIST, TWIST_RATE = (np.array([f.deriv(n)(NODES) for f in TWISTS]).T for n in (0
 BEND_SLOPE, BEND_RATE = (np.array([f.deriv(n)(NODES) for f in BENDS]).T for n in (1, 2))
 
 INNER = 2 * len(TWISTS) + len(BENDS)
+ROW, COLUMN = np.triu_indices(12 + INNER)
+PAIRS = (np.eye(12 + INNER)[ROW] + np.eye(12 + INNER)[COLUMN]).T
+"""Every two motions of the ends and inner shapes of a blade together: of these its curvature is."""
+STRAIGHT = np.column_stack([np.ones_like(PLACES), PLACES])
+NOT_STRAIGHT = np.eye(PLACES.size) - STRAIGHT @ np.linalg.pinv(STRAIGHT)
+"""What takes from values at the places the straight line that is nearest to them."""
 INNER_STIFFNESS = np.array(
     [(WEIGHTS[:, None] * f**2).sum(0) for f in (TWIST_RATE, BEND_RATE, BEND_RATE)]
 )
@@ -321,7 +327,7 @@ class _Quadratic:
         self.gradient = place.T @ (curved[:12, :12] @ d + carried.T @ forces)
         to_bodies = _block_diagonal(place, np.eye(INNER))
         self.curvature = to_bodies.T @ curved @ to_bodies
-        along = np.cross(d[3:6], [self.l, 0.0, 0.0])
+        along = _cross(d[3:6], np.array([self.l, 0.0, 0.0]))
         self.local = np.concatenate([d[6:9] - d[:3] - along, d[9:12] - d[3:6]])
         chord = (d[7:9] - d[1:3]) / self.l
         against = [np.array([chord[0] - t[2], chord[1] + t[1]]) for t in (d[3:6], d[9:12])]
@@ -333,13 +339,10 @@ class _Quadratic:
 
         After these twelve come the inner shapes.
         """
-        size = 12 + INNER
-        row, column = np.triu_indices(size)
-        pairs = (np.eye(size)[row] + np.eye(size)[column]).T
-        two, found = self.forces @ self._of(pairs[:12], pairs[12:]), np.zeros((size, size))
-        found[row, column] = two
+        two, found = self.forces @ self._of(PAIRS[:12], PAIRS[12:]), np.zeros((12 + INNER,) * 2)
+        found[ROW, COLUMN] = two
         one = np.diagonal(found) / 4.0
-        found[row, column] = found[column, row] = two - one[row] - one[column]
+        found[ROW, COLUMN] = found[COLUMN, ROW] = two - one[ROW] - one[COLUMN]
         return found
 
     def inside(self) -> Floats:
@@ -368,11 +371,10 @@ class _Quadratic:
         M = np.stack(
             [forces[3] + 0.0 * xi, forces[4] - forces[2] * arm, forces[5] + forces[1] * arm]
         )
-        found = np.cross(r[:, -1:] - r, n, axis=0) - np.cross(theta, M, axis=0)
+        found = _cross(r[:, -1:] - r, n) - _cross(theta, M)
         found[0] -= found[0].mean()
-        slopes = np.polynomial.polynomial.polyfit(xi, found[1:].T, 1)
-        found[1:] -= np.polynomial.polynomial.polyval(xi, slopes)
-        return np.asarray(found)
+        found[1:] = found[1:] @ NOT_STRAIGHT
+        return found
 
     def _of(self, d: Floats, inner: Floats | None = None) -> Floats:
         """Return the second-order deformations (6, columns) of ends' motions (12, columns).

@@ -41,7 +41,7 @@ def spec(geometry, stroke, actuator=BENDER, material=TITANIUM, factor=1.2, more=
 
 
 def drive(*of, **more):
-    (check,) = (c for c in flexcli.check(spec(*of, **more)).checks if c.name == "drive")
+    (check,) = (c for c in flexcli.verdicts(spec(*of, **more)).checks if c.name == "drive")
     return check
 
 
@@ -190,7 +190,7 @@ def test_wide_blades_in_the_plane_and_as_shells_agree_within_what_both_tell():
 
 def test_a_model_without_the_force_at_a_stroke_decides_nothing():
     asked = spec(STAGE, {"translation": "20 um"}, more={"model": "linear"})
-    assert flexcli.check(asked).status is Status.UNDECIDED
+    assert flexcli.verdicts(asked).status is Status.UNDECIDED
 
 
 def test_four_pivots_that_start_at_rest_are_driven_from_there():

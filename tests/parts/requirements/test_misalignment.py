@@ -38,7 +38,7 @@ def judged(geometry, asked, model=None, nu=0):
         "flexure": 1, "geometry": geometry, "requirements": {"misalignment_stress": asked},
         "material": {"youngs_modulus": f"{E} Pa", "poisson_ratio": nu, "yield_strength": "1 GPa"},
     }  # fmt: skip
-    checks = flexcli.check(yaml.safe_dump(spec), model=model).checks
+    checks = flexcli.verdicts(yaml.safe_dump(spec), model=model).checks
     return next(row for row in checks if "misalign" in row.name)
 
 

@@ -5,6 +5,7 @@ ends that are kept from warping, and the blades compared are without them.
 """
 
 from dataclasses import replace
+from functools import cache
 
 import geometries_for_tests as samples
 import numpy as np
@@ -48,10 +49,13 @@ def twist(h, b):
     return J, h / J * face, h / J * side
 
 
+_gauss = cache(np.polynomial.legendre.leggauss)
+
+
 def sections(blade, l):
     """Return places along a blade, thicknesses there and how much of the length each stands for."""
     profile, at = blade.profile, []
-    x, w = np.polynomial.legendre.leggauss(200)
+    x, w = _gauss(200)
     if isinstance(profile, Constant):
         return l * (1 + x) / 2, np.full(200, float(profile.h)), w * l / 2
     if isinstance(profile, NeckedDown):

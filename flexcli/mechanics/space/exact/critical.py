@@ -16,6 +16,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.critical_point import (
     CriticalPoint,
     Point,
+    crossing,
     first_critical,
     lost_path,
     none_up_to,
@@ -59,6 +60,9 @@ NEAR_STRAIGHT = 1e-3
 
 _MOVED = 0.01
 """Share by which more nodes may move a critical load: one that moves more may be another."""
+
+_TRIES = 3
+"""Shares on the straight line that may lessen what is not known by less than half, in a row."""
 
 _LEVEL = 1e-4
 """Slope of the load over the arc length below which the load turns."""
@@ -111,7 +115,7 @@ class _Search(NamedTuple):
     def of(self, x: Floats, parameter: float, s: float, counted: tuple[Floats, int]) -> Point:
         """Return a point of which the matrix and the unstable directions are known."""
         S, unstable = counted
-        P = without_poles(S * np.outer(self.unit, self.unit), 6 * self.assembly.blades)
+        P = _without_poles(S, self.unit, self.assembly.blades)
         return Point(s, parameter, x, P, unstable)
 
     def at(self, s: float, low: Point, high: Point) -> Point:
@@ -255,7 +259,8 @@ def straight_critical_factor(
     Notes
     -----
     The second variation is linear in the forces while nothing moves, so that what is unstable
-    stays so beyond: the factor is bisected.
+    stays so beyond: the factor is bisected, and where it is nearly known met on the straight line
+    through its matrix on both sides.
 
     """
     cold = replace(layout, body_growth={}, blade_growth={})
@@ -264,21 +269,47 @@ def straight_critical_factor(
     x = rest.part.x
     rate = assembly.split(assembly.steps(x, 0.0, demand)[1]).forces
 
-    def is_stable(share: float) -> bool:
+    def counted(share: float) -> tuple[Floats, int]:
         still = x.copy()
         assembly.split(still).forces[:] += share * rate
-        return _counted(assembly, demand, free, still, share)[1] == 0
+        return _counted(assembly, demand, free, still, share)
 
-    if is_stable(1.0):
+    S, unstable = counted(1.0)
+    if unstable == 0:
         return inf
+    unit = _units(S)
+
+    def point(share: float) -> Point:
+        S, unstable = counted(share)
+        return Point(share, share, x, _without_poles(S, unit, assembly.blades), unstable)
+
+    newest = Point(1.0, 1.0, x, _without_poles(S, unit, assembly.blades), unstable)
+    low, high, before, missed = 0.0, 1.0, 1.0, 0
     # a straight column's own load is found by its path as well: it is just below
-    low, high = (
-        (1.0 - NEAR_STRAIGHT, 1.0) if is_stable(1.0 - NEAR_STRAIGHT) else (0.0, 1.0 - NEAR_STRAIGHT)
-    )
-    while high - low > close * high and high > _CORRECTION:
-        middle = (low + high) / 2.0
-        low, high = (middle, high) if is_stable(middle) else (low, middle)
-    return low * most
+    share = 1.0 - NEAR_STRAIGHT
+    while True:
+        older, newest = newest, point(share)
+        low, high = (low, share) if newest.unstable else (share, high)
+        width = high - low
+        if width <= close * high or high <= _CORRECTION:
+            return low * most
+        missed, before = (0 if width <= before / 2.0 else missed + 1), width
+        share = (low + high) / 2.0
+        if close < NEAR_STRAIGHT and missed < _TRIES:
+            share = _beside_crossing(older, newest, (low, high), close * high / 4.0)
+
+
+def _beside_crossing(
+    older: Point, newest: Point, between: tuple[float, float], aside: float
+) -> float:
+    """Return a share beside where P at two points is singular, on the side less known of.
+
+    By halves where it crosses nowhere between a stable and an unstable share, or beside an end.
+    """
+    low, high = between
+    share, _ = crossing(older, newest, low, high)
+    share += -aside if share - low > high - share else aside
+    return share if low + aside < share < high - aside else (low + high) / 2.0
 
 
 def _begun(
@@ -381,14 +412,22 @@ def _stretch(
     s = float(before.tangent @ (before.weight * (last.x - before.x)))
     s += before.slope * (last.parameter - before.parameter)
     counted = _counted(assembly, demand, free, before.x, before.parameter)
-    size = np.max(np.abs(counted[0]), axis=-1)
-    unit = 1.0 / np.sqrt(np.where(size > 0.0, size, 1.0))
-    search = _Search(assembly, demand, free, before, _LONGEST, unit)
+    search = _Search(assembly, demand, free, before, _LONGEST, _units(counted[0]))
     return (
         search,
         search.of(before.x, before.parameter, 0.0, counted),
         search.point(last.x, last.parameter, s),
     )
+
+
+def _units(S: Floats) -> Floats:
+    """Return the units of blade forces and free coordinates in which a matrix is of order one."""
+    size = np.max(np.abs(S), axis=-1)
+    return np.asarray(1.0 / np.sqrt(np.where(size > 0.0, size, 1.0)))
+
+
+def _without_poles(S: Floats, unit: Floats, blades: int) -> Floats:
+    return without_poles(S * np.outer(unit, unit), 6 * blades)
 
 
 def _steps(assembly: Assembly, demand: Demand) -> Steps:

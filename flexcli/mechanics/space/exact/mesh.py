@@ -27,6 +27,9 @@ _GAP = 1e-9
 
 _ENDS = np.array([-1.0, 1.0])
 
+_REMEMBERED = 16
+"""Meshes that are kept: those of a layout at all levels, for its states share them."""
+
 
 class Mesh(NamedTuple):
     """All blades at the nodes of equally many segments; arrays (blades, K), matrices (…, K, K).
@@ -114,14 +117,15 @@ class _Segment(NamedTuple):
     u: tuple[float, float] = (-1.0, 1.0)
 
 
+@functools.lru_cache(maxsize=_REMEMBERED)
 def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
-    """Return blades at ``count`` Gauss nodes on each of their segments."""
+    """Return blades at ``count`` Gauss nodes on each of their segments; shared, not writable."""
     found = [_segments(section) for section in sections]
     most = max(map(len, found))
     # blades with fewer segments end with some of no length, so that all have as many nodes
     filled = [row + [_Segment(1.0, 1.0)] * (most - len(row)) for row in found]
     at = [_places(section, row, count) for section, row in zip(sections, filled, strict=True)]
-    s, half, h = np.moveaxis(np.array(at), 1, 0)
+    s, half, h = np.array(at).swapaxes(0, 1)
     J = _reference(count, most) * half[:, None, :]
     w = np.tile(gauss_nodes(count)[1], most) * half
     flexible = h > 0.0
@@ -134,7 +138,7 @@ def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
     bend_z = felt.bend_z + felt.bend_z_edge * 12.0 * (t - 0.5) ** 2
     runs = tuple(_runs(row, count) for row in filled)
     hold, twist = _twist(felt, J, w, runs)
-    return Mesh(
+    mesh = Mesh(
         sections=sections,
         per_segment=count,
         s=s,
@@ -160,6 +164,10 @@ def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
         h=h,
         grown=np.zeros((len(sections), 1)),
     )
+    for each in mesh:
+        if isinstance(each, np.ndarray):
+            each.setflags(write=False)
+    return mesh
 
 
 def _places(section: Section, segments: list[_Segment], count: int) -> Floats:

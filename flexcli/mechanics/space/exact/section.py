@@ -6,7 +6,8 @@ across its thickness, z across its width.
 """
 
 from collections.abc import Callable
-from functools import partial
+from dataclasses import dataclass
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -66,7 +67,12 @@ class Compliances(NamedTuple):
     fibres: Floats
 
 
-class Section(NamedTuple):
+_REMEMBERED = 64
+"""Blades whose sections are kept: those of a few layouts, each solved in many states."""
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
     """A blade's sections: ``at`` gives the compliances of thicknesses [m], or diameters.
 
     ``stretches`` are its flexible pieces, in groups between which it is rigid.
@@ -79,6 +85,7 @@ class Section(NamedTuple):
     at: Callable[[Floats], Compliances]
 
 
+@lru_cache(maxsize=_REMEMBERED)
 def section_of(blade: SpaceBlade | SpaceRod, effects: BeamEffects) -> Section:
     """Return the sections of a blade of any profile, or of a round rod."""
     l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))

@@ -120,7 +120,7 @@ def _flat(X: Floats) -> tuple[Floats, Floats, Floats]:
     powers = np.empty((*X.shape, _TERMS))
     powers[..., 0], powers[..., 1:] = 1.0, low[..., None]
     sums = np.multiply.accumulate(powers, axis=-1, out=powers) @ _COLUMNS
-    P, Q = np.moveaxis(sums[..., :3], -1, 0), np.moveaxis(sums[..., 3:], -1, 0)
+    P, Q = ([sums[..., k] for k in each] for each in (range(3), range(3, 6)))
     g = P[0] / Q[0]
     g_1 = (P[1] - g * Q[1]) / Q[0]
     g_2 = (P[2] - 2.0 * g_1 * Q[1] - g * Q[2]) / Q[0]

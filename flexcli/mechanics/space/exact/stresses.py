@@ -8,6 +8,7 @@ locally higher, since it keeps the section from narrowing
 (:mod:`flexcli.formulas.clamp_stress`); that is not in these numbers.
 """
 
+import functools
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -27,7 +28,7 @@ from flexcli.mechanics.space.stresses import (
     shear_spread,
     twisted,
 )
-from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
+from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix, slope_matrix
 
 __all__ = [
     "BladeStress",
@@ -191,29 +192,33 @@ def _sections_along(beams: Beams, inside: Floats, forces: Floats) -> list[Sectio
         )
         # the twist rate becomes what the section warps by
         values[:, 6] /= np.where(mesh.apart[i] > 0.0, mesh.apart[i], 1.0)
-        nodes_u, at, slope = gauss_nodes(mesh.per_segment)[0], [], []
-        count = mesh.per_segment
+        at, slope, count = [], [], mesh.per_segment
         for k in range(mesh.nodes // count):
             own = slice(k * count, (k + 1) * count)
             if not np.any(mesh.flexible[i, own]) or not np.any(mesh.w[i, own]):
                 continue
             # where its thickness varies, its ends lie beyond what the nodes tell
             varies = float(np.ptp(mesh.h[i, own])) > 0.0
-            u = nodes_u if varies else np.concatenate([_ENDS[:1], nodes_u, _ENDS[1:]])
-            onto = interpolation_matrix(count, u)
+            onto, rise = _from_nodes(count, not varies)
             known = np.column_stack([mesh.s[i, own], mesh.half[i, own], mesh.h[i, own]])
             at.append(np.hstack([onto @ known, onto @ values[own]]))
-            rise = np.polynomial.legendre.legder(
-                np.polynomial.legendre.legfit(nodes_u, values[own, 6], count - 1)
-            )
             # a notch begins where its face is steep: there the nodes stand still
             ds = np.maximum(at[-1][:, 1], _STILL * np.max(mesh.half[i, own])) * section.l
-            slope.append(np.polynomial.legendre.legval(u, rise) / ds)
+            slope.append(rise @ values[own, 6] / ds)
         s, _, h, N, V_y, V_z, M_x, M_y, M_z, f = np.concatenate(at).T
         felt_here = section.at(h)
         turns = f * felt_here.apart + felt_here.spin / section.EI * M_x
         out.append(SectionStates(s, h, N, V_y, V_z, M_y, M_z, f, turns, np.concatenate(slope)))
     return out
+
+
+@functools.cache
+def _from_nodes(count: int, with_ends: bool) -> tuple[Floats, Floats]:
+    """Return what takes values at the nodes to those and slopes there, and at the ends if asked."""
+    u = gauss_nodes(count)[0]
+    if with_ends:
+        u = np.concatenate([_ENDS[:1], u, _ENDS[1:]])
+    return interpolation_matrix(count, u), slope_matrix(count, u)
 
 
 def _of_section(
