@@ -48,7 +48,8 @@ class NamedModel:
         scenes = self.design.scenes()
         leaves = any(scene.tilts or scene.leaves_plane for scene in scenes)
         across = any(scene.across_by for scene in scenes)
-        if self.name == "solid" or not (across or (leaves and self.name != "source")):
+        whole = self.name == "solid" and self.design.geometry.solids != "cross"
+        if whole or not (across or (leaves and self.name != "source")):
             return planar
         from flexcli.engine.joint_models.out_of_plane import OutOfPlane
 
@@ -132,7 +133,7 @@ def _has_shells(design: DesignSpec) -> bool:
     if design.requirements.deflection:
         scenes = design.scenes()
         asked = asked or any(each.moves and each.wrench is not None for each in scenes)
-    if design.geometry.solids is None and design.geometry.has_plane:
+    if design.geometry.solids in (None, "cross") and design.geometry.has_plane:
         of, is_known = design.requirements, design.material.poisson_ratio is not None
         asked = asked or bool(of.parasitic_shift or (is_known and (of.yielding or of.fatigue)))
     drawn = design.geometry.in_space and design.geometry.has_blades
@@ -151,7 +152,7 @@ def _has_solids(design: DesignSpec) -> bool:
     known = material.poisson_ratio is not None and not material.is_directed
     is_whole = not (design.omitted or design.is_off(EffectName.THICK_NOTCH))
     is_sized = design.fixed_sizes() is not None
-    return design.geometry.solids is not None and known and is_whole and is_sized
+    return design.geometry.has_solids and known and is_whole and is_sized
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:
@@ -199,6 +200,10 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
         from flexcli.engine.joint_models.exact_with_limbs import ExactWithLimbs
 
         return Corrected(ExactWithLimbs(blades), heard, model, omitted=off)
+    if model == "solid" and design.geometry.solids == "cross":
+        from flexcli.engine.joint_models.exact_with_cross import ExactWithCross
+
+        return Corrected(ExactWithCross(), heard, model, omitted=off)
     if model == "solid":
         from flexcli.engine.joint_models.exact_with_solids import ExactWithSolids
 

@@ -7,7 +7,11 @@ that meet in a point, 8 E I/l, at ν = 0, 0.3 and 0.45. The crossing is the rhom
 have in common, the bodies are rigid. And tests/parts/crossed_buckling.json: thickness, width,
 crossing, half-angle, ν, whether the body is held across, and the force along the bisector that
 buckles a body kept from turning, over E I/l². And tests/parts/crossed_aside.json: how far a force
-along z and moments about x and y move it, as if l = E = 1.
+along z and moments about x and y move it, as if l = E = 1. And tests/parts/crossed_whole.json: ν,
+its compliances along x and y and about the centre, as if l = E = 1, its motion along y over the
+rotation and l as a moment turns it, its shift towards the base over the square of 0.01 rad and l
+(NLGEOM, by which stress is linear in Green's strain), and what the arms at the base bear under unit
+loads along x and y and about the centre: N, V and M about it, first that of the blade at +α.
 """
 
 import json
@@ -20,6 +24,7 @@ import numpy as np
 
 from flexcli.engine.solid.calculix import run
 
+WHOLE = Path(__file__).parents[1] / "parts/crossed_whole.json"
 ASIDE = Path(__file__).parents[1] / "parts/crossed_aside.json"
 BUCKLED = Path(__file__).parents[1] / "parts/crossed_buckling.json"
 FOUND = Path(__file__).parents[1] / "parts/crossed_solids.json"
@@ -65,6 +70,11 @@ TILTED = (
     (0.05, 0.2, 0.4, 45.0, 0.0), (0.05, 0.5, 0.35, 70.0, 0.3), (0.08, 0.3, 0.4, 20.0, 0.3),
     (0.02, 0.3, 0.3, 60.0, 0.3), (0.1, 0.2, 0.45, 60.0, 0.0), (0.03, 0.1, 0.4, 15.0, 0.0),
     (0.02, 0.1, 0.4, 8.0, 0.0), (0.02, 0.05, 0.3, 80.0, 0.3), (0.03, 0.03, 0.3, 12.0, 0.3),
+)  # fmt: skip
+
+
+STOUT = (
+    (0.103, 0.22, 0.45, 35.0, 0.3), (0.2, 0.4, 0.5636, 62.5, 0.45), (0.15, 0.1, 0.3, 45.0, 0.3),
 )  # fmt: skip
 
 
@@ -215,7 +225,50 @@ def aside(h, b, crossing, degrees, nu):
     return found
 
 
+def whole(h, b, crossing, degrees, nu):
+    """Return the compliances, the motion along y, the shift, and what arms at the base bear."""
+    lines, ref, rot = model(h, b, crossing, degrees)
+    places, _ = mesh(h * L, b * L, crossing, radians(degrees))
+    deck = [
+        *lines, *material(nu), "*BOUNDARY", "GROUND, 1, 3", "MIDDLE, 3, 3", f"{ref}, 3, 3",
+        f"{rot}, 1, 2",
+    ]  # fmt: skip
+    printed = ["*NODE PRINT, NSET=BODY", "U"]
+    motions, arms = [], []
+    for node, along, size in ((ref, 1, 1.0), (ref, 2, 1.0), (rot, 3, MM)):
+        asked = [*printed, "*NODE PRINT, NSET=GROUND", "RF", "*END STEP", ""]
+        load = ["*STEP", "*STATIC", "*CLOAD", f"{node}, {along}, {size}"]
+        found = run("\n".join([*deck, *load, *asked]), "whole")
+        moved = next(iter(found.tables("displacements")))
+        motions.append([*moved[ref][:2] / MM, moved[rot][2]])
+        forces = next(iter(found.tables("forces")))
+        nodes = np.array(list(forces))
+        at, force = places[nodes - 1], np.array(list(forces.values()))
+        for a in (radians(degrees), -radians(degrees)):
+            out = -np.array([cos(a), sin(a)])
+            own = at[:, :2] @ out > crossing * L * 0.999
+            own &= np.abs(at[:, :2] @ [-out[1], out[0]]) < 0.6 * h * L
+            x, y = force[own].sum(axis=0)[:2]
+            moment = np.sum(at[own, 0] * force[own, 1] - at[own, 1] * force[own, 0])
+            unit = L if along == 3 else 1.0
+            arms.append([(x * out[0] + y * out[1]) * unit, (y * out[0] - x * out[1]) * unit,
+                         moment * (unit / L)])  # fmt: skip
+    C = np.array(motions) / 2.0 * E  # half the width
+    turned = f"{rot}, 3, 3, 0.01"
+    step = ["*STEP, NLGEOM", "*STATIC", "1., 1., 1., 1.", "*BOUNDARY", turned, *printed]
+    moved = next(iter(run("\n".join([*deck, *step, "*END STEP", ""]), "whole").tables("displ")))
+    shift = -moved[ref][0] / (MM * L * 1e-4)
+    return [C[0, 0] * L, C[1, 1] * L, C[2, 2] * L**3, C[2, 1] / C[2, 2] / L, shift, arms]
+
+
 def main():
+    rows = []
+    for joint in STOUT:
+        *numbers, arms = whole(*joint)
+        arms = [[float(f"{each:.5g}") for each in arm] for arm in arms]
+        rows.append([*joint, *(float(f"{each:.5g}") for each in numbers), arms])
+        sys.stderr.write(f"{json.dumps(rows[-1])}\n")
+    write(WHOLE, rows)
     rows = []
     for joint in JOINTS:
         rows.append([*joint, *(float(f"{k:.5g}") for k in solids(*joint))])

@@ -4,8 +4,8 @@ Run: python tests/benchmarks/model_ranges.py [specs] [--first SEED] [--kinds KIN
 [--coupled | --single [--share SHARE] | --space].
 Random specs of the campaign, of loads that act together, of one small load at a time, or of
 mechanisms in space, are judged with easy requirements by closed forms, linear and exact beams and
-shells in turn, notches by solids too, single loads by exact beams of the joint drawn in space; a
-check of which two ranges lie apart has a wrong one, and is printed with both.
+shells in turn, notches and joined crosses by solids too, single loads by exact beams of the joint
+drawn in space; a check of which two ranges lie apart has a wrong one, and is printed with both.
 """
 
 import argparse
@@ -28,6 +28,7 @@ import flexcli
 from flexcli.errors import SolveError, SpecError
 
 MODELS = ("closed-form", "linear", "exact", "shell", "solid")
+CROSS = "unseparated-cross"
 ROUNDING = 1e-7
 
 
@@ -38,7 +39,7 @@ def ranges(spec: dict, twin: dict | None = None) -> dict[tuple, dict[str, tuple[
     if twin is not None:
         asked.append(("exact in space", "exact", twin))
     for name, model, words in asked:
-        if model == "solid" and spec["geometry"]["kind"] not in (*NOTCHES, *LIMBS):
+        if model == "solid" and spec["geometry"]["kind"] not in (*NOTCHES, *LIMBS, CROSS):
             continue
         try:
             checks = flexcli.verdicts(yaml.safe_dump(words), model=model).checks
@@ -98,9 +99,10 @@ def main() -> None:
                 compared += len(known) > 1
                 for one, other in apart(known):
                     wrong += 1
+                    wrench = spec["cases"].get(case, {}).get("wrench", "")
                     print(
                         f"{seed} {spec['geometry']['kind']}: {name}, {case}:",
-                        one, known[one], other, known[other], spec["cases"][case].get("wrench", ""),
+                        one, known[one], other, known[other], wrench,
                         flush=True,
                     )  # fmt: skip
     print(f"{compared} checks known to several models, {wrong} apart; {refused} specs refused")

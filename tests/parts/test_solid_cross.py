@@ -219,3 +219,24 @@ def test_a_turn_changes_what_a_crossing_adds_to_the_stress_within_its_error(
         assert (turned / at_rest - 1.0) * adds <= (told.most + told.grows * turn**2) * turn
     else:
         assert degrees == 83.0
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
+@pytest.mark.parametrize(
+    "joint", [(0.103, 0.215, 0.562, 75.0), (0.05, 0.2, 0.4, 60.0), (0.02, 0.2, 0.3, 20.0)]
+)
+def test_a_joined_pivot_swings_as_its_stiffness_has_it(joint, model):
+    # what its crossing stiffens counted twice in its frequency
+    inertia = 1e-4
+    words = drawn(joint, 0.3)
+    words |= {
+        "material": {**words["material"], "density": "1 g/m^3"},  # hardly moves anything itself
+        "mechanism": {"kind": "payload", "mass": "1 g", "inertia": f"{inertia} kg*m^2"},
+        "requirements": {"stiffness": {"min": "1 N*m/rad"}, "frequency": {"min": "1 Hz"}},
+    }
+    checks = {c.name: c for c in flexcli.verdicts(json.dumps(words) + "\n", model=model).checks}
+    K, f = (checks[f"{name} (min)"] for name in ("stiffness", "frequency"))
+    assert f.factor == pytest.approx((K.factor / inertia) ** 0.5 / (2.0 * np.pi), rel=1e-6)
+    if K.factor_range is not None:
+        for end, other in zip(f.factor_range, K.factor_range, strict=True):
+            assert end / f.factor == pytest.approx((other / K.factor) ** 0.5, rel=5e-3)

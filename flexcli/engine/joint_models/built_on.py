@@ -7,6 +7,7 @@ from flexcli.parts.requirements import Ask, CriticalShare, JointModel, MisfitStr
 from flexcli.results import ErrorRange
 
 if TYPE_CHECKING:
+    from flexcli.mechanics.space.layout import SpaceLayout
     from flexcli.mechanics.space.springs import MemberSprings
     from flexcli.mechanics.space.swept_box import SweptBox
 
@@ -21,6 +22,10 @@ class BuiltOn(JointModel):
     def springs(self, ask: Ask, *, in_plane: bool) -> "tuple[MemberSprings, ...] | None":
         """Return those of the inner model."""
         return self.inner.springs(ask, in_plane=in_plane)
+
+    def own_joint(self, ask: Ask) -> "tuple[SpaceLayout, tuple[MemberSprings, ...]] | None":
+        """Return that of the inner model."""
+        return self.inner.own_joint(ask)
 
     def axial_stress(self, ask: Ask) -> float | None:
         """Return that of the inner model."""

@@ -21,7 +21,7 @@ from flexcli.numerics.rows import number, one_alone
 from flexcli.parts.bending.base import CompliantClamps, Factor, MovedAcross, Turned
 from flexcli.parts.geometries.base import Blade
 
-__all__ = ["solid_cross", "with_roots"]
+__all__ = ["solid_cross", "turned_by", "with_roots"]
 
 LEAST_ARM = 0.3
 """Length of a blade beyond the crossing, over its thickness, from which on the joint is as stiff as
@@ -137,14 +137,7 @@ def solid_cross(
         off = second * (1.0 + OF_SECOND * abs(g))
         off += OF_THIRD * ratio**3 * (1.0 + tan(half_angle) ** -2.0)
         shift = min(shifted) + g * second - off, max(shifted) + g * second + off
-    unsteady = max(abs(low - 1.0), abs(high - 1.0)) / (sin(half_angle) * cos(half_angle)) ** 2
-    lost, more, grows = TURNED if half_angle < radians(STEEP) else TURNED_STEEP
-    turned = Turned(
-        unsteady * (lost if low >= 1.0 else -more),
-        unsteady * more,
-        unsteady * grows * tan(half_angle),
-        min(TURNS_FAR, TURNS_MOST / tan(half_angle)),
-    )
+    turned = turned_by(low, high, half_angle)
     held = (1.0 - 1.5 * rigid / shortest) ** -2.0 if 1.5 * rigid < shortest else inf
     return CompliantClamps(
         ratio,
@@ -156,6 +149,18 @@ def solid_cross(
         0.0,
         _across(blade, plane, crossing, half_angle, apart, (whole, whole * high)),
         turned,
+    )
+
+
+def turned_by(low: float, high: float, half_angle: float) -> Turned:
+    """Return what a travel adds to a stress that a crossing raises between these factors."""
+    unsteady = max(abs(low - 1.0), abs(high - 1.0)) / (sin(half_angle) * cos(half_angle)) ** 2
+    lost, more, grows = TURNED if half_angle < radians(STEEP) else TURNED_STEEP
+    return Turned(
+        unsteady * (lost if low >= 1.0 else -more),
+        unsteady * more,
+        unsteady * grows * tan(half_angle),
+        min(TURNS_FAR, TURNS_MOST / tan(half_angle)),
     )
 
 

@@ -74,7 +74,7 @@ class ClampCompliance(ModelEffect):
 
     A crossing in which blades are joined, a body of its own, is stiffer than they are. Compliant
     roots lower the stress at a given travel, as far as they surely give way; under loads it may
-    rise.
+    rise. What a crossing makes stiffer may relieve of loads as well.
     """
 
     name: ClassVar[EffectName] = EffectName.CLAMP_COMPLIANCE
@@ -110,10 +110,8 @@ class ClampCompliance(ModelEffect):
             return {}
         found = {"stiffness": _within(*softened.stiffness[:3])}
         if softened.stiffness.other < inf:
-            # of what else bends blades; of what they weigh blade mass has it
-            half = _within(*(each**0.5 for each in softened.stiffness[:3]))
+            # of what else bends blades
             found["stiffness"] = found["stiffness"]._replace(other=softened.stiffness.other)
-            found["frequency"] = half._replace(other=softened.stiffness.other)
         if any(scene.blade_force for scene in setting.scenes):
             found["buckling"] = _within(*softened.buckling[:3])
         if setting.largest_travel:
@@ -122,6 +120,8 @@ class ClampCompliance(ModelEffect):
                 least, most = smaller(least, 1.0 / (1.0 + softened.loaded) - 1.0), softened.loaded
             if any(scene.is_loaded for scene in setting.scenes):
                 most = larger(most, softened.loaded)
+                if softened.across is not None:  # a crossing relieves as much as it adds elsewhere
+                    least = smaller(least, 1.0 / (1.0 + softened.loaded) - 1.0)
                 if not any(scene.moves for scene in setting.scenes):
                     least = smaller(least, 0.0)
             less, more = one_by_one(_turned, *softened.turned, setting.largest_travel)
@@ -136,13 +136,27 @@ class ClampCompliance(ModelEffect):
         elif any(scene.is_loaded for scene in setting.scenes):
             # heat bends blades by motions, of which roots that give way take their part
             heated = any(scene.temperature is not None for scene in setting.scenes)
-            least = 1.0 / (1.0 + softened.loaded) - 1.0 if heated else 0.0
+            relieved = heated or softened.across is not None
+            least = 1.0 / (1.0 + softened.loaded) - 1.0 if relieved else 0.0
             found["stress"] = _between(least, softened.loaded)
         if softened.across is not None and setting.material.sheet is not None:
             # a crossing of blades with moduli of their own, which no plane was solved of
             found = {name: _off(change, change.bound) for name, change in found.items()}
         if not setting.sags_along_stroke:
             found["sag"] = Change(None, softened.softest, 0.0, 1)
+        return found
+
+    def all_changes(self, setting: Setting) -> dict[str, Change]:
+        """Return the changes, and that of a frequency, which follows from the stiffness.
+
+        What else bends blades changes it as that; of what they weigh blade mass has it.
+        """
+        found, softened = super().all_changes(setting), _CLAMPS.of(setting)
+        if softened is not None and softened.stiffness.other < inf:
+            half = _within(*(each**0.5 for each in softened.stiffness[:3]))
+            found["frequency"] = half._replace(other=softened.stiffness.other)
+            if setting.material.sheet is not None and softened.across is not None:
+                found["frequency"] = _off(found["frequency"], found["frequency"].bound)
         return found
 
 

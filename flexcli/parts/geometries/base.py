@@ -143,8 +143,21 @@ class TwistingBars(NamedTuple):
     restrained: bool
 
 
-Solids: TypeAlias = Literal["notch", "limbs"]
+Solids: TypeAlias = Literal["notch", "limbs", "cross"]
 """What of a joint there are solids of."""
+
+
+class CrossSizes(NamedTuple):
+    """Two crossed blades of one piece [m]: thickness, length from end to end, width.
+
+    They cross at a share of their length from the base, each at the half-angle from the bisector.
+    """
+
+    h: float
+    l: float
+    b: float
+    crossing: float
+    half_angle: float
 
 
 class LimbSpan(NamedTuple):
@@ -255,7 +268,8 @@ class Geometry(Part):
     in_space: ClassVar[bool] = False
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
     solids: ClassVar[Solids | None] = None
-    """What there are solids of: the single notch that it is, or its limbs between two notches."""
+    """What there are solids of: the single notch that it is, its limbs between two notches, or the
+    whole of crossed blades."""
     joined_in: ClassVar[frozenset[str]] = frozenset()
     """Bodies of its layout that are but blades which meet."""
     told_across_width: ClassVar[bool] = True
@@ -542,6 +556,22 @@ class Geometry(Part):
 
         """
         raise NotAvailable("has no notches, of which there are solids")
+
+    @property
+    def has_solids(self) -> bool:
+        """Return whether there are solids of it, as its ends are."""
+        return self.solids is not None
+
+    def solid_cross(self, sizes: Sizes) -> CrossSizes:
+        """Return the sizes of crossed blades of one piece.
+
+        Raises
+        ------
+        NotAvailable
+            When it is anything else.
+
+        """
+        raise NotAvailable("has no crossed blades of one piece, of which there are solids")
 
     def thick_notches(self, sizes: Sizes) -> Thick | None:
         """Return the changes by plane elasticity in its notch hinges, None where it has none."""

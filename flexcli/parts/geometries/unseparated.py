@@ -19,7 +19,7 @@ from flexcli.parts.bending.joined import Joined
 from flexcli.parts.bending.joined_halves import halves_apart, plates_of_halves, wide_halves
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.ends import ENDS
-from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical, CrossSizes, Solids
 from flexcli.parts.geometries.joint_buckling import pivot_critical
 from flexcli.parts.geometries.pivots import BladePair, largest_share, on_ray
 from flexcli.results import ErrorRange, Value
@@ -40,6 +40,7 @@ class UnseparatedPivot(BladePair):
     )
 
     joined_in: ClassVar[frozenset[str]] = frozenset({CROSS})
+    solids: ClassVar[Solids | None] = "cross"
 
     kind: Literal["unseparated-cross"]
     crossing: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = 0.5
@@ -91,6 +92,16 @@ class UnseparatedPivot(BladePair):
         crossed = solid_cross(blade, *at, halves, halves_apart(blade, *at))
         roots = super().compliant_clamps(sizes, nu)
         return crossed if roots is None else with_roots(crossed, roots)
+
+    @property
+    def has_solids(self) -> bool:
+        """Return whether its ends are rigid, as those of its solids are."""
+        return self.clamps in (None, "rigid")
+
+    def solid_cross(self, sizes: Blade) -> CrossSizes:
+        """Return the sizes of its blades."""
+        h, l, b = map(number, self.blade(sizes))
+        return CrossSizes(h, l, b, self.crossing, self.half_angle)
 
     def crossed(self, sizes: Blade) -> tuple[Computed, Computed]:
         """Return what their solid crossing makes of the stiffness of its blades, any way."""

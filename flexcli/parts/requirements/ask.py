@@ -16,7 +16,7 @@ from flexcli.parts.scene import WARM, Scene
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
-    from flexcli.mechanics.space.layout import MissedSeat
+    from flexcli.mechanics.space.layout import MissedSeat, SpaceLayout
     from flexcli.mechanics.space.springs import MemberSprings
     from flexcli.mechanics.space.swept_box import SweptBox
     from flexcli.parts.actuator import Actuator
@@ -284,6 +284,10 @@ class JointModel(ABC):
 
         Those that a motion ``in_plane`` does not strain may be any.
         """
+        return None
+
+    def own_joint(self, ask: Ask) -> "tuple[SpaceLayout, tuple[MemberSprings, ...]] | None":
+        """Return the joint at rest where the model has it whole, None for one of its blades."""
         return None
 
     def frequency_factor(self, ask: Ask) -> float:

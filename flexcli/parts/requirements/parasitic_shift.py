@@ -20,6 +20,7 @@ class ParasiticShift(Bound):
     label: ClassVar[str] = "parasitic shift"
     per_case: ClassVar[bool] = True
     by_shells: ClassVar[QuantityKind | None] = QuantityKind.SHIFT
+    by_solids: ClassVar[bool] = True
 
     min: None = None
     max: _Length

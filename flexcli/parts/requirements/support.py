@@ -186,6 +186,9 @@ def _at(place: NDArray[np.float64]) -> Place:
 
 def joint_of_model(ask: Ask, *, in_plane: bool = False) -> SpaceJoint:
     """Return the joint in space, with the springs of its model where that has its own."""
+    own = ask.joint_model.own_joint(ask)
+    if own is not None:
+        return SpaceJoint(*own)
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
     springs = ask.joint_model.springs(ask, in_plane=in_plane)
     return joint if springs is None else SpaceJoint(joint.layout, springs)
