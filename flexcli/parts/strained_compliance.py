@@ -65,6 +65,10 @@ COUPLES = 0.75
 """Times φ l/h: the stress that a force along a bent blade has by bending over that along it, 0.6 as
 an S, 0.75 as an arc that it bends with a free end."""
 
+TWISTED = 2.0
+"""Times φ b/h: the shear √3 of what a force along the width of a bent blade twists it, over its
+bending: √3 b/(2 h) of where the force is off over l, and as much again for how it is held."""
+
 SHORTENS = 0.03
 """Times (φ l/h)²: what it gives way along itself more, 12/700 as an S, up to 12/525 as an arc."""
 
@@ -170,13 +174,18 @@ class BentBeside(NamedTuple):
 
 
 def bent_beside(
-    joint: SpaceJoint, scene: Scene, more: float = 0.0, *, in_plane: bool = False
+    joint: SpaceJoint,
+    scene: Scene,
+    more: float = 0.0,
+    *,
+    in_plane: bool = False,
+    across: bool = False,
 ) -> BentBeside:
     """Return what bends the blades of a joint changes of small motion: stroke and static loads.
 
     ``more`` is a travel besides, in either sense [m or rad]; ``in_plane`` nothing gives way along
-    the width of blades. As if each blade were turned by as much as the most turned one, and as
-    slender as the most slender where it bends.
+    the width of blades, and ``across`` forces act along that alone. As if each blade were turned
+    by as much as the most turned one, and as slender as the most slender where it bends.
     """
     rest = Acting(0.0, np.zeros(6), joint.layout.body(joint.layout.drive.body).point, np.zeros(3))
 
@@ -196,6 +205,9 @@ def bent_beside(
     )
     bowed = turn * max(slender)
     softer = SHORTENS * bowed**2 if in_plane else _given_way(joint, turn)
+    if across:
+        wide = max(max(b / h, h / b) for h, b, _ in _sections(joint))
+        return BentBeside(softer, TWISTED * turn * wide)
     return BentBeside(softer, COUPLES * bowed)
 
 

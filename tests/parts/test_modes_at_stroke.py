@@ -123,3 +123,19 @@ def test_no_response_passes_beside_a_stroke_of_which_no_model_has_the_modes():
     assert found.factor_range is None or found.factor_range[0] == 0.0
     small = check(HINGE, {**case, "stroke": {"rotation": "1e-7 rad"}}, {"dynamic-yield": 1e-3})
     assert small.verdict is Verdict.PASS
+
+
+def test_what_shakes_a_stage_along_its_width_is_told_beside_a_small_stroke():
+    """Its mirror image in the plane is itself, so that the stroke answers nothing."""
+    stroke = {"translation": "0.05 mm"}
+    still = {"inertia": dict.fromkeys(("xx", "yy", "zz"), "1e-5 kg*m^2")}
+    wide = {**STAGE, "b": "1 mm"}
+    text = spec(wide, shaken(stroke, 2, "z", "0.001 g"), {"dynamic-yield": 1e-3})
+    text["mechanism"] |= still
+    found = next(c for c in flexcli.verdicts(yaml.safe_dump(text)).checks if "dynamic" in c.name)
+    assert found.verdict is Verdict.PASS
+    weight = {"level": "0.001 g", "axis": "z"}
+    loaded = check(wide, {"stroke": stroke, "acceleration": weight}, {"yield": 1e-3}, "exact")
+    low, high = found.factor_range
+    assert low < 880e6 / loaded.demand < high
+    assert high / low < 1.5

@@ -113,11 +113,23 @@ def bent_by_motion(ask: Ask, structure: Structure, answer: Answer) -> BentBeside
     joint = _joint(ask)
     if joint is None:
         return None
-    bent = bent_beside(joint, scene, travel, in_plane=bool(structure.wrenches))
-    if not scene.moves:
-        return bent
+    across = _moves_aside_alone(ask)
+    bent = bent_beside(joint, scene, travel, in_plane=bool(structure.wrenches), across=across)
+    if not scene.moves or across:
+        return bent if bent.stressed <= KNOWN or not scene.moves else None
     stressed = FREELY * quality_of(ask.mechanism, ask.scene).largest * bent.stressed
     return bent._replace(stressed=stressed) if stressed <= KNOWN else None
+
+
+def _moves_aside_alone(ask: Ask) -> bool:
+    """Return whether a base shakes along z, to which no stroke of a joint in a plane answers.
+
+    Its mirror image in that plane is itself, at a stroke too, where its blades stand in it.
+    """
+    if ask.geometry.in_space or set(ask.scene.shaken_axes) != {"z"}:
+        return False
+    layout = ask.geometry.blades_layout(ask.material.elastic, ask.sizes)
+    return len({float(np.ravel(blade.z)[0]) for blade in layout.blades}) == 1
 
 
 def bent_by_stroke(ask: Ask) -> float | None:
