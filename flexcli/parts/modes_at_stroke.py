@@ -4,7 +4,7 @@ Blades that are bent give way along themselves, a force along them bends them fu
 that shakes along them moves the body along its stroke.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -14,24 +14,22 @@ from numpy.typing import NDArray
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.equilibrium import solve
-from flexcli.mechanics.layout import Blade, Layout
-from flexcli.numerics.rows import number
+from flexcli.mechanics.lateral_bound import least_thickness
+from flexcli.mechanics.layout import Layout
+from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.geometries.base import GROUND, MOVING
 from flexcli.parts.mechanisms.carried import is_guided
 from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.structure import Structure
 
-__all__ = ["OFF", "structures_at_stroke"]
+__all__ = ["structures_at_stroke"]
 
 Floats = NDArray[np.float64]
 
 STEP = 0.03
 """Steps of the differences over h²/l, and over (h/l)² of a rotation: a 25th of what buckles a blade
-that is pushed by as much."""
-
-OFF = 1e-4
-"""Relative error of these differences: half the steps changed them by 2e-6 at most, and at rest
-they were 2e-7 from the blades' own stiffness."""
+that is pushed by as much. Half of them changed a stiffness by 2e-6 at most, and at rest it was 2e-7
+from the blades' own."""
 
 
 class _Bent(NamedTuple):
@@ -42,12 +40,12 @@ class _Bent(NamedTuple):
     faces: Floats
 
 
-def structures_at_stroke(ask: Ask, structure: Structure) -> tuple[Structure, ...] | None:
-    """Return a structure about both ends of the stroke of its case.
+def structures_at_stroke(ask: Ask, structures: Sequence[Structure]) -> tuple[Structure, ...] | None:
+    """Return structures of the same joint, each about both ends of the stroke of its case.
 
-    ``structure`` is that of small motion from rest. Coordinates of the body are along its own axes,
-    which turn with it. Nothing where no exact beams tell it: of several joints or bodies, blades
-    of varying thickness, or beside loads.
+    ``structures`` are those of small motion from rest. Coordinates of the body are along its own
+    axes, which turn with it. Nothing where no exact beams tell it: of several joints or bodies,
+    blades of varying thickness, or beside loads.
     """
     scene, geometry = ask.scene.standing, ask.geometry
     assert scene is not None  # there is a stroke
@@ -56,7 +54,7 @@ def structures_at_stroke(ask: Ask, structure: Structure) -> tuple[Structure, ...
         isinstance(blade.profile, Constant) and {blade.first, blade.second} == {GROUND, MOVING}
         for blade in layout.blades
     )
-    alone = len(layout.bodies) == len(structure.joint_motions) == 1
+    alone = len(layout.bodies) == len(structures[0].joint_motions) == 1
     if not (plain and alone) or scene.is_loaded or scene.temperature is not None or layout.supports:
         return None
     travels = np.array([float(end) for end in scene.stroke_ends])
@@ -71,49 +69,30 @@ def structures_at_stroke(ask: Ask, structure: Structure) -> tuple[Structure, ...
         return None
     return tuple(
         _about(structure, rest, there, float(at[2]))
+        for structure in structures
         for there, at in zip(bent, reached, strict=True)
     )
 
 
 def _slopes(layout: Layout, at: Floats) -> _Bent:
-    """Return by central differences what a move of the body from a place changes there."""
-    small = min(_thickness(b) ** 2 / _length(b) for b in layout.blades)
-    steps = STEP * small * np.array([1.0, 1.0, 1.0 / max(map(_length, layout.blades))])
+    """Return by central differences what a move of the body from a place changes there.
+
+    Stresses are in the order of the outputs of a structure: those at both ends of each blade.
+    """
+    lengths = [float(np.hypot(*np.subtract(b.end, b.start))) for b in layout.blades]
+    thin = [float(least_thickness(blade)) for blade in layout.blades]
+    small = min(h**2 / l for h, l in zip(thin, lengths, strict=True))
+    steps = STEP * small * np.array([1.0, 1.0, 1.0 / max(lengths)])
     moved = at + np.concatenate([np.diag(steps), -np.diag(steps)])
     found = solve(layout, {MOVING: (moved[:, 0], moved[:, 1], moved[:, 2])}).checked()
-    axial, faces = _stresses(layout, moved, found.end_forces)
+    each = [blade_stress(found, blade.name, points=2) for blade in layout.blades]
+    axial = np.concatenate([stress.axial for stress in each], axis=1)
+    bending = np.concatenate([stress.bending for stress in each], axis=1)
+    faces = np.concatenate([axial + bending, axial - bending], axis=1)
     return _Bent(*(
-        ((each[:3] - each[3:]) / (2.0 * steps[:, None])).T
-        for each in (found.reactions[:, 0], axial, faces)
+        ((values[:3] - values[3:]) / (2.0 * steps[:, None])).T
+        for values in (found.reactions[:, 0], axial, faces)
     ))  # fmt: skip
-
-
-def _stresses(layout: Layout, moved: Floats, end_forces: Floats) -> tuple[Floats, Floats]:
-    """Return the axial stress at both ends of each blade, and that at both faces (places, moves).
-
-    In the order of the outputs of a structure.
-    """
-    c, s = np.cos(moved[:, 2]), np.sin(moved[:, 2])
-    turned = np.moveaxis(np.array([[c, -s], [s, c]]), -1, 0)
-    point, still = np.array(layout.body(MOVING).point), np.zeros((moved.shape[0], 2))
-    axial, bending = list[Floats](), list[Floats]()
-    for blade, found in zip(layout.blades, end_forces.swapaxes(0, 1), strict=True):
-        places, along = list[Floats](), list[Floats]()
-        way = np.subtract(blade.end, blade.start) / _length(blade)
-        for body, place in ((blade.first, blade.start), (blade.second, blade.end)):
-            carried = body == MOVING
-            with_it = point + moved[:, :2] + turned @ np.subtract(place, point)
-            places.append(with_it if carried else still + place)
-            along.append(turned @ way if carried else still + way)
-        force, moment, lever = found[:, :2], found[:, 2], places[1] - places[0]
-        at_start = moment + lever[:, 0] * force[:, 1] - lever[:, 1] * force[:, 0]
-        area = number(blade.b) * _thickness(blade)
-        modulus = area * _thickness(blade) / 6.0
-        for way_there, there in zip(along, (at_start, moment), strict=True):
-            axial.append(np.sum(force * way_there, axis=1) / area * number(blade.peak[1]))
-            bending.append(there / modulus * number(blade.peak[0]))
-    along_it, bent = np.array(axial), np.array(bending)
-    return along_it.T, np.concatenate([along_it + bent, along_it - bent]).T
 
 
 def _about(structure: Structure, rest: _Bent, there: _Bent, turn: float) -> Structure:
@@ -142,12 +121,3 @@ def _about(structure: Structure, rest: _Bent, there: _Bent, turn: float) -> Stru
 def _turned(pull: Mapping[str, Floats], c: float, s: float) -> dict[str, Floats]:
     """Return the inertial forces along the axes of the body, of a base that moves along its own."""
     return {"x": c * pull["x"] - s * pull["y"], "y": s * pull["x"] + c * pull["y"]}
-
-
-def _length(blade: Blade) -> float:
-    return float(np.hypot(*np.subtract(blade.end, blade.start)))
-
-
-def _thickness(blade: Blade) -> float:
-    assert isinstance(blade.profile, Constant)
-    return number(blade.profile.h)

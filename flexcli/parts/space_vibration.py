@@ -25,7 +25,7 @@ from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.own_motion import DENSEST
 from flexcli.parts.space_joint import RIGID, SpaceJoint, on_pivots
 from flexcli.parts.space_states import state_error
-from flexcli.parts.structure import Structure, joined
+from flexcli.parts.structure import Structure, joined, largest_of
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -258,14 +258,14 @@ def shape_error(
 
     """
     assembly = joint.assembly
-    whole = reached * _stress(peaks(structure))
+    whole = reached * largest_of(peaks(structure), "stress")
     if whole == 0.0:
         return ErrorRange(0.0, 0.0)
     modes = natural_modes(structure.stiffness, structure.mass)
     states, sizes = [], []
     for n, omega in enumerate(modes.angular):
         one = structure.in_mode(float(omega), modes.shapes[:, n])
-        size = reached * _stress(peaks(one)) if _is_moved(one, axes) else 0.0
+        size = reached * largest_of(peaks(one), "stress") if _is_moved(one, axes) else 0.0
         if size < TELLING * whole:
             continue
         if not joint.is_uniform and omega > own_blade_frequency(assembly):
@@ -285,10 +285,6 @@ def shape_error(
     if error is None:
         return None
     return ErrorRange(min(low, error.low), max(high, error.high))
-
-
-def _stress(peaks: Mapping[str, float]) -> float:
-    return max(value for name, value in peaks.items() if name.startswith("stress"))
 
 
 def _is_moved(structure: Structure, axes: Iterable[str]) -> bool:

@@ -24,6 +24,7 @@ __all__ = [
     "Structure",
     "assemble",
     "joined",
+    "largest_of",
     "on_joints",
     "turned",
 ]
@@ -125,6 +126,12 @@ class Structure:
 
 Answer = Callable[[Structure], Mapping[str, float]]
 """Function that returns one number for each output of a structure, as its peak."""
+
+
+def largest_of(answers: Mapping[str, float], prefix: str) -> float:
+    """Return the largest number of the outputs whose name starts so, zero where there is none."""
+    return max((each for name, each in answers.items() if name.startswith(prefix)), default=0.0)
+
 
 MOTIONS = ("travel", "rotation")
 """Names of outputs that are motions."""

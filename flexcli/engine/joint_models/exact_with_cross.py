@@ -23,6 +23,7 @@ from flexcli.engine.joint_models.exact import ExactModel, alone
 from flexcli.engine.joint_models.face_stress import PlateStresses
 from flexcli.engine.joint_models.joint_states import at_rest, blades_of, solved
 from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.engine.joint_models.solid_at_rest import SolidAtRest
 from flexcli.errors import SolveError
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
@@ -33,17 +34,15 @@ from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.bending.solid_cross import turned_by
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.geometries.base import MOVING, Critical, CrossSizes
+from flexcli.parts.geometries.base import MOVING, CrossSizes
 from flexcli.parts.requirements import (
     Ask,
     Bent,
-    CriticalShare,
     DriveEffort,
     JointModel,
     MisfitStress,
     Told,
 )
-from flexcli.parts.requirements.warm_shift import WarmShift
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["ExactWithCross"]
@@ -77,10 +76,9 @@ SMALL = 0.02
 """Rotation [rad] at which, and at twice which, beams tell what their shift is of second order."""
 
 
-class ExactWithCross(ExactModel):
+class ExactWithCross(SolidAtRest):
     """Exact beams, of which what is of first order is a solid's."""
 
-    name = "solid"
     at_rest = "solid of the whole joint between rigid bodies, at rest"
 
     def __init__(self) -> None:
@@ -246,24 +244,6 @@ class ExactWithCross(ExactModel):
     def sag_changes(self, ask: Ask) -> tuple[tuple[float, float], ...]:
         """Refuse: solids are at rest."""
         raise NotAvailable("has no sag at stroke by solids: take --model exact")
-
-    def warm_shift(self, ask: Ask) -> WarmShift:
-        """Refuse: solids are cold."""
-        raise NotAvailable("has no shift at a temperature by solids: take --model exact")
-
-    def critical(self, ask: Ask) -> tuple[Critical, ...]:
-        """Refuse: solids at rest do not buckle."""
-        raise NotAvailable("has no buckling load by solids: take --model exact")
-
-    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
-        """Refuse: solids at rest do not buckle."""
-        raise NotAvailable("has no buckling load by solids: take --model exact")
-
-    def support_at_stroke(
-        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
-    ) -> tuple[tuple[float, ErrorRange | None], ...]:
-        """Refuse: solids are at rest."""
-        raise NotAvailable("has no support stiffness by solids: take --model exact")
 
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.engine.joint_models.solid_at_rest import SolidAtRest
 from flexcli.engine.joint_models.space_deflection import Springs, deflections
 from flexcli.engine.joint_models.space_errors import AT_STROKE, HINGE_TURN
 from flexcli.errors import SolveError
@@ -38,9 +39,8 @@ from flexcli.mechanics.state import Equilibrium
 from flexcli.numerics.rows import number, one_alone
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Buckled, NotAvailable
-from flexcli.parts.geometries.base import MOVING, Critical
-from flexcli.parts.requirements import Ask, Bent, CriticalShare, DriveEffort, EndStress
-from flexcli.parts.requirements.warm_shift import WarmShift
+from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.requirements import Ask, Bent, DriveEffort, EndStress
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import acting_across, changed_across
 from flexcli.parts.worst_places import worst_places
@@ -146,10 +146,9 @@ class _Worst(NamedTuple):
     amplitude: float
 
 
-class ExactWithSolids(ExactModel):
+class ExactWithSolids(SolidAtRest):
     """Exact beams between which and its moving body a notch is a solid."""
 
-    name = "solid"
     always = ExactModel.always | WHOLE
     weighs_blades = False
     at_rest = "solid of the notch and the blocks beside it, at rest"
@@ -405,24 +404,6 @@ class ExactWithSolids(ExactModel):
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Refuse: solids at rest do not move off their path."""
         raise NotAvailable("has no shift by solids: take --model exact")
-
-    def warm_shift(self, ask: Ask) -> WarmShift:
-        """Refuse: solids at rest do not move off their path."""
-        raise NotAvailable("has no shift by solids: take --model exact")
-
-    def critical(self, ask: Ask) -> tuple[Critical, ...]:
-        """Refuse: solids at rest do not buckle."""
-        raise NotAvailable("has no buckling load by solids: take --model exact")
-
-    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
-        """Refuse: solids at rest do not buckle."""
-        raise NotAvailable("has no buckling load by solids: take --model exact")
-
-    def support_at_stroke(
-        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
-    ) -> tuple[tuple[float, ErrorRange | None], ...]:
-        """Refuse: solids are at rest."""
-        raise NotAvailable("has no support stiffness at stroke by solids: take --model exact")
 
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str

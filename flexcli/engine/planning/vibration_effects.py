@@ -24,7 +24,7 @@ from flexcli.parts.requirements.response_range import uncertain_structure
 from flexcli.parts.requirements.shaking import SHAKES, at_once, quality_of
 from flexcli.parts.response import random_outputs
 from flexcli.parts.space_vibration import likely_structures
-from flexcli.parts.structure import MOTIONS, Structure
+from flexcli.parts.structure import MOTIONS, Structure, largest_of
 from flexcli.results import EffectRow
 
 __all__ = ["against_miles", "largest_peaks", "vibration_effects"]
@@ -86,10 +86,6 @@ def _row(
         told = f"by up to {most:.2g} of it" if most > NOTHING else "not at all"
     text = f"{reason}; {name} {told}"
     return EffectRow(f"{effect}, {ask.scene.case}", on, indicator, most, text, estimates)
-
-
-def _stress(peaks: Peaks) -> float:
-    return max(value for name, value in peaks.items() if name.startswith("stress"))
 
 
 def against_miles(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
@@ -160,9 +156,9 @@ def _stiffened(ask: Ask, structure: Structure) -> Iterator[EffectRow]:
 
 def _higher_modes(ask: Ask, structure: Structure, peaks: Peaks) -> Iterator[EffectRow]:
     """Yield what all modes but the strongest are of the stress; the response has them all."""
-    modes, whole = natural_modes(structure.stiffness, structure.mass), _stress(peaks)
+    modes, whole = natural_modes(structure.stiffness, structure.mass), largest_of(peaks, "stress")
     alone = [
-        _stress(largest_peaks(ask, structure.in_mode(float(omega), shape)))
+        largest_of(largest_peaks(ask, structure.in_mode(float(omega), shape)), "stress")
         for omega, shape in zip(modes.angular[:MOST_MODES], modes.shapes.T, strict=False)
     ]
     if not whole or not alone:
@@ -201,10 +197,10 @@ def _light(ask: Ask) -> Ask:
 
 def _blade_mass(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
     """Yield what the blades' mass, and what they do inside, changes in the stress."""
-    if ask.material.density is None or not (whole := _stress(peaks)):
+    if ask.material.density is None or not (whole := largest_of(peaks, "stress")):
         return
     light = _light(ask)
-    without = _stress(largest_peaks(light, structure_of_case(light)))
+    without = largest_of(largest_peaks(light, structure_of_case(light)), "stress")
     text = f"massless blades have {without / whole:.4g} times the stress"
     yield _row(
         ask, "blade mass", without / whole, {"stress": abs(without / whole - 1.0)}, text, on=True
@@ -233,7 +229,7 @@ def _sweeping(ask: Ask, structure: Structure) -> Iterator[EffectRow]:
 
 def _out_of_plane(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
     """Yield what the first axis' random vibration would do along z, where no case has it there."""
-    vibration, whole = ask.scene.vibration, _stress(peaks)
+    vibration, whole = ask.scene.vibration, largest_of(peaks, "stress")
     if vibration is None or ask.scene.vibrates_in_space or not whole:
         return
     first = vibration.alone(vibration.axes[0])
@@ -244,6 +240,6 @@ def _out_of_plane(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
         return
     along_z = first.model_copy(update={"axis": "z"})
     sizes = {name: out.rms for name, out in random_outputs(found, along_z).items()}
-    ratio = vibration.sigma * _stress(sizes) / whole
+    ratio = vibration.sigma * largest_of(sizes, "stress") / whole
     text = f"the base does not move along z; shaken so, {ratio:.3g} times the stress"
     yield _row(ask, "out-of-plane motion", ratio, {"stress": ratio}, text)

@@ -23,7 +23,7 @@ from flexcli.parts.scene import IN_PLANE
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_states import KNOWN
 from flexcli.parts.strained_compliance import BentBeside, bent_beside, shares_beside
-from flexcli.parts.structure import MOTIONS, Answer, Structure
+from flexcli.parts.structure import MOTIONS, Answer, Structure, largest_of
 from flexcli.results import EXACT, ErrorRange
 
 __all__ = [
@@ -99,26 +99,24 @@ def bent_by_motion(ask: Ask, structure: Structure, answer: Answer) -> BentBeside
     """
     standing, peaks = ask.scene.standing, answer(structure)
     scene = (ask.scene.without_loads() if standing is None else standing).at_assembly()
-    if structure.wrenches:
-        scene = scene._replace(travel=0.0, mean_travel=0.0, middle=0.0)
-    travel = next((abs(peaks[name]) for name in MOTIONS if name in peaks), 0.0)
-    if structure.wrenches:
-        if not _pushes(peaks):
-            return STRAIGHT
-        travel *= 1.0 if ask.mechanism is None else ask.mechanism.joint_travel_per_motion
-    elif scene.moves or scene.is_loaded:
-        travel = 0.0
-    else:
+    in_plane, travel = bool(structure.wrenches), 0.0
+    if not (_pushes(peaks) if in_plane else scene.moves or scene.is_loaded):
         return STRAIGHT
+    if in_plane:
+        scene = scene._replace(travel=0.0, mean_travel=0.0, middle=0.0)
+        travel = next((abs(peaks[name]) for name in MOTIONS if name in peaks), 0.0)
+        travel *= 1.0 if ask.mechanism is None else ask.mechanism.joint_travel_per_motion
     joint = _joint(ask)
     if joint is None:
         return None
     across = _moves_aside_alone(ask)
-    bent = bent_beside(joint, scene, travel, in_plane=bool(structure.wrenches), across=across)
-    if not scene.moves or across:
-        return bent if bent.stressed <= KNOWN or not scene.moves else None
-    stressed = FREELY * quality_of(ask.mechanism, ask.scene).largest * bent.stressed
-    return bent._replace(stressed=stressed) if stressed <= KNOWN else None
+    bent = bent_beside(joint, scene, travel, in_plane=in_plane, across=across)
+    if not scene.moves:
+        return bent
+    if not across:  # at resonance of the own motion
+        quality = quality_of(ask.mechanism, ask.scene).largest
+        bent = bent._replace(stressed=FREELY * quality * bent.stressed)
+    return bent if bent.stressed <= KNOWN else None
 
 
 def _moves_aside_alone(ask: Ask) -> bool:
@@ -164,10 +162,7 @@ def _joint(ask: Ask) -> SpaceJoint | None:
 
 def _pushes(peaks: Mapping[str, float]) -> bool:
     """Return whether a part of the stress that counts is along blades."""
-    along = max((p for name, p in peaks.items() if name.startswith("axial")), default=0.0)
-    return along > NEGLIGIBLE * max(
-        (p for name, p in peaks.items() if name.startswith("stress")), default=0.0
-    )
+    return largest_of(peaks, "axial") > NEGLIGIBLE * largest_of(peaks, "stress")
 
 
 def axial_share(ask: Ask, structure: Structure, answer: Answer) -> float | None:
@@ -179,8 +174,7 @@ def axial_share(ask: Ask, structure: Structure, answer: Answer) -> float | None:
     """
     if not structure.wrenches:
         return _share_in_space(ask, structure, answer)
-    peaks = answer(structure)
-    axial = max((p for name, p in peaks.items() if name.startswith("axial")), default=0.0)
+    axial = largest_of(answer(structure), "axial")
     held = ask._replace(scene=ask.scene._replace(ends=ask.scene.ends or FREE))
     try:
         force = axial / float(ask.geometry.axial_stress(1.0, ask.sizes))
@@ -189,12 +183,18 @@ def axial_share(ask: Ask, structure: Structure, answer: Answer) -> float | None:
         return None
 
 
-def _share_in_space(ask: Ask, structure: Structure, answer: Answer) -> float:
+def _share_in_space(ask: Ask, structure: Structure, answer: Answer) -> float | None:
     """Return the largest peak axial force of a blade over π²EI/l², or over a quarter of it.
 
     A joint that is several times in a mechanism counts by the least of its blades.
     """
-    assembly = joint_in_space(ask.geometry, ask.material, ask.sizes).assembly
+    try:
+        joint: SpaceJoint | None = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    except NotAvailable:  # no shear modulus, which bending hardly asks for
+        joint = _joint(ask)
+    if joint is None:
+        return None
+    assembly = joint.assembly
     least = {
         blade.name: pi**2 * float(member.springs.stiffness[4:].min()) / member.l
         for blade, member in zip(assembly.layout.blades, assembly.members, strict=True)

@@ -1,6 +1,6 @@
 """The response of a structure over the range of its uncertain stiffness and masses."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, pi
@@ -17,7 +17,7 @@ from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.own_motion import DENSEST, structure_of
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.stand_in import STAND_IN
-from flexcli.parts.structure import Answer, Structure
+from flexcli.parts.structure import Answer, Structure, largest_of
 from flexcli.results import EXACT, ErrorRange, QuantityKind, error_of_ratio
 
 if TYPE_CHECKING:
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 __all__ = ["Uncertain", "between", "compounded", "pushed", "uncertain_structure"]
 
 Floats = NDArray[np.float64]
-Peaks = Mapping[str, float]
 
 STEPS = 5
 """Stiffnesses between both ends of the range: the response has no narrower features between the
@@ -145,9 +144,8 @@ def _bent(found: Uncertain, bent: "BentBeside", answer: Answer) -> Uncertain:
         softened = [structure.stiffened(1.0 / (1.0 + share)) for share in shares]
     else:
         softened = [structure.softened_along(share) for share in shares]
-        peaks = answer(structure)
-        along = max(_of(answer(each), "axial") for each in (structure, *softened))
-        along /= _of(peaks, "stress") or inf
+        along = max(largest_of(answer(each), "axial") for each in (structure, *softened))
+        along /= largest_of(answer(structure), "stress") or inf
     off, inner = bent.stressed * along, found.shape_error
     return replace(
         found,
@@ -155,10 +153,6 @@ def _bent(found: Uncertain, bent: "BentBeside", answer: Answer) -> Uncertain:
         shape_error=lambda peaks, reached: compounded(inner(peaks, reached), ErrorRange(0.0, off)),
         stiffer=found.stiffer if bent.softer <= TINY else None,
     )
-
-
-def _of(peaks: Peaks, prefix: str) -> float:
-    return max((peak for name, peak in peaks.items() if name.startswith(prefix)), default=0.0)
 
 
 def uncertain_structure(
@@ -203,11 +197,11 @@ def uncertain_structure(
         from flexcli.parts.modes_at_stroke import structures_at_stroke
         from flexcli.parts.requirements.pushed_by_peaks import bent_by_stroke
 
-        at_ends = [structures_at_stroke(ask, base) for base in bases]
-        if None in at_ends:
+        at_ends = structures_at_stroke(ask, bases)
+        if at_ends is None:
             stressed = bent_by_stroke(ask)
         # on its way it is between both ends and rest
-        bases = [each for ends in at_ends if ends is not None for each in ends] + bases
+        bases = [*(at_ends or ()), *bases]
     structure = bases[0].stiffened(factor)
     off = ask.joint_model.error(ask, QuantityKind.STIFFNESS)
     if off is None or geometry.has_limbs(elastic, sizes):
@@ -230,8 +224,8 @@ def uncertain_structure(
         chosen = {*np.linspace(low, high, STEPS).tolist(), *onto[:: 1 + len(onto) // MOST_FACTORS]}
         others += [base.stiffened(each) for each in sorted(chosen)]
     stiffer = (low / factor, high / factor) if len(bases) == 1 and stressed == 0.0 else None
-    off = ErrorRange(0.0, stressed or 0.0)
-    return Uncertain(structure, tuple(others), lambda *_: off, stiffer, stressed is not None)
+    more = ErrorRange(0.0, stressed or 0.0)
+    return Uncertain(structure, tuple(others), lambda *_: more, stiffer, stressed is not None)
 
 
 def _in_space(ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange) -> Uncertain:

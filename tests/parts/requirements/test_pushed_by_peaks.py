@@ -114,3 +114,13 @@ def test_blades_whose_distance_is_not_stated_are_pushed_by_as_much():
         shares(spec("20 mg", level="1e-4", geometry=geometry)) for geometry in (STAGE, near)
     )
     assert without == pytest.approx(stated, rel=1e-6)
+
+
+def test_without_poisson_s_ratio_blades_are_told_as_they_shake_along_their_width():
+    """What pushes them in space asked for a shear modulus, and a check ended as a wrong spec."""
+    plain = {name: value for name, value in MATERIAL.items() if name != "poisson_ratio"}
+    found = check("2 g", "z", level="1e-4", material=plain)
+    assert found.verdict is Verdict.PASS
+    low, high = found.factor_range
+    with_it = check("2 g", "z", level="1e-4")
+    assert low < with_it.factor < high
