@@ -13,9 +13,9 @@ from flexcli.numerics.rows import Number, number
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements import Ask
-from flexcli.parts.scene import IN_PLANE, Scene
+from flexcli.parts.scene import IN_PLANE
 
-__all__ = ["lateral_factor"]
+__all__ = ["is_held_by_blades", "lateral_factor"]
 
 SOFTEST = 3.0
 """E/G of an isotropic material that keeps its volume, which none exceeds."""
@@ -28,31 +28,38 @@ their heights turn the body aside from the first on."""
 def lateral_factor(ask: Ask, *, as_stated: bool) -> Number:
     """Return a factor on a case's loads up to which a joint surely stays in its plane [-].
 
-    Nothing but its blades holds it there. It is infinite where a guide, ends or a lock are taken to
-    hold the body, and where there is no layout to look at; zero where only a look in space tells.
-    Without a shear modulus it is that of the softest. Loads act in either sense, ``as_stated`` in
-    the stated one where they have one.
+    A temperature counts among the loads. Nothing but its blades holds it there. Where a guide, ends
+    or a lock are taken to hold the body it is that of blades which a temperature pushes between
+    bodies that stay, infinite without one; and infinite where there is no layout to look at. It is
+    zero where only a look in space tells. Without a shear modulus it is that of the softest. Loads
+    act in either sense, ``as_stated`` in the stated one where they have one.
     """
-    scene = ask.scene
-    if ask.geometry.is_guided or not _is_free(scene):
+    scene, is_free = ask.scene, is_held_by_blades(ask)
+    if not scene.has_plane or scene.in_space or scene.across_by:
+        return inf
+    if not is_free and (scene.temperature is None or scene.on_bodies):
         return inf
     try:
         layout = ask.geometry.plane_layout(ask.material.elastic, ask.sizes)
     except NotAvailable:
         return inf
+    if scene.temperature is not None:
+        layout = scene.temperature.warmed(layout, ask.material, ask.geometry.axes)
     if layout.G is None:
         layout = replace(layout, G=layout.E / SOFTEST)
     if layout.supports or layout.guides:
         return 0.0
     groups = list(_groups(ask, layout))
-    if not groups:
+    if not groups and scene.temperature is None:
         return inf
     is_stated = as_stated and scene.directed and any(scene.stated[i] for i in IN_PLANE)
     driven = 3 * layout.index(MOVING)
     driven += 2 if ask.geometry.motion == "rotation" else 1
     travels = scene.stroke_ends if scene.moves else ()
     try:
-        found = lateral_bound(layout, groups, directed=is_stated, driven=driven, travels=travels)
+        found = lateral_bound(
+            layout, groups, directed=is_stated, driven=driven, travels=travels, tips=is_free
+        )
     except np.linalg.LinAlgError:
         return 0.0
     least = number(found) if len(found) > 1 else float(found[0])
@@ -61,15 +68,15 @@ def lateral_factor(ask: Ask, *, as_stated: bool) -> Number:
     return APART * least if apart else least
 
 
-def _is_free(scene: Scene) -> bool:
-    """Return whether loads are in the plane, and nothing but its blades holds the body there.
+def is_held_by_blades(ask: Ask) -> bool:
+    """Return whether nothing but its blades holds a body in its plane.
 
-    What ends or a lock hold is held in its plane as well; a mechanism that is locked bears
+    What a guide, ends or a lock hold is held in its plane as well; a mechanism that is locked bears
     accelerations in space.
     """
-    in_plane = not (scene.in_space or scene.across_by) and scene.has_plane
+    scene = ask.scene
     apart = scene.lock is not None or scene.on_bodies
-    return in_plane and not apart and hold_of(scene) == FREE
+    return not (ask.geometry.is_guided or apart) and hold_of(scene) == FREE
 
 
 def _groups(ask: Ask, layout: Layout) -> Iterator[list[Load]]:

@@ -21,7 +21,7 @@ from flexcli.results import Check, QuantityKind, Verdict
 
 __all__ = ["PlaneStability"]
 
-PUSHING = frozenset({LoadKind.LOAD, LoadKind.WRENCH, LoadKind.ACCELERATION})
+PUSHING = frozenset({LoadKind.LOAD, LoadKind.WRENCH, LoadKind.ACCELERATION, LoadKind.TEMPERATURE})
 """Loads that may buckle a joint out of its plane."""
 
 CLEAR = 4.0
@@ -100,7 +100,8 @@ class PlaneStability:
         loaded = scene.is_loaded and (mechanism is None or mechanism.joints == 1)
         pushed = requirement.looks_at(scene) & PUSHING
         stressed = QuantityKind.STRESS in {check.kind for check in checks}
-        told = scene.in_space or (requirement.is_of_buckling and scene.leaves_plane)
+        by_force = requirement.is_of_buckling and scene.temperature is None
+        told = scene.in_space or (by_force and scene.leaves_plane)
         as_printed = self.models[-1].name == "source"
         if not loaded or not (pushed or stressed) or told or as_printed:
             return None
@@ -122,12 +123,19 @@ class PlaneStability:
         """Return the share of loads that buckles the joint in space, if near what is asked."""
         one_alone()
         from flexcli.engine.joint_models.out_of_plane_buckling import out_of_plane_share
+        from flexcli.engine.lateral_factor import is_held_by_blades
 
         started, as_stated = perf_counter(), requirement.is_of_buckling
         key = ask.scene.case, as_stated, _share_asked(requirement)
         if key not in self._shares:
-            bound = self._bound(requirement, ask)
-            self._shares[key] = out_of_plane_share(ask, bound, key[2], as_stated=as_stated)
+            bound, found = float(self._bound(requirement, ask)), None
+            if is_held_by_blades(ask):
+                found = out_of_plane_share(ask, bound, key[2], as_stated=as_stated)
+            else:
+                found = CriticalShare(bound, ask.scene.hold, None, 0.0)
+            given = ask.material.yield_strength
+            borne = None if found is None or given is None else found.borne(given.value)
+            self._shares[key] = borne or found
             took = perf_counter() - started
             self.seconds[self._model] = self.seconds.get(self._model, 0.0) + took
         return self._shares[key]

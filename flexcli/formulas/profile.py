@@ -26,6 +26,9 @@ __all__ = [
     "per_design",
 ]
 
+_PLACES = np.linspace(-1.0, 1.0, 41)
+"""Where on a piece of a blade its thickness is looked at."""
+
 Floats: TypeAlias = NDArray[np.float64]
 Number: TypeAlias = Any
 """A float, or an array of shape (designs, 1)."""
@@ -93,6 +96,11 @@ class Profile(ABC):
                 found[-1].append(Edge((s_0, h_0 / 2.0), (s_1, h_1 / 2.0), centre))
             last = s_1
         return tuple(tuple(edges) for edges in found)
+
+    def least_thickness(self, l: Number) -> Floats:
+        """Return the least thickness of a blade of length l, or of each of many designs [m]."""
+        each = [np.min(piece.thickness(_PLACES), axis=-1) for piece in self.pieces(l)]
+        return np.asarray(np.min(each, axis=0))
 
     def mouth(self, l: float) -> float:
         """Return the thickness at the ends of one blade [m]."""

@@ -19,9 +19,6 @@ __all__ = ["lateral_bound", "least_thickness"]
 
 Floats = NDArray[np.float64]
 
-PLACES = np.linspace(-1.0, 1.0, 41)
-"""Where on a piece of a blade its thickness is looked at."""
-
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
 NODES, WEIGHTS = (NODES + 1.0) / 2.0, WEIGHTS / 2.0
 """Along a blade, where its bent shape turns its section."""
@@ -43,8 +40,7 @@ TINY = 1e-12
 def least_thickness(blade: Blade) -> Floats:
     """Return the least thickness of a blade, or of each of many designs of it [m]."""
     l = np.hypot(*np.subtract(blade.end, blade.start))
-    each = [np.min(piece.thickness(PLACES), axis=-1) for piece in blade.profile.pieces(l)]
-    return np.asarray(np.min(each, axis=0))
+    return blade.profile.least_thickness(l)
 
 
 def lateral_bound(
@@ -54,8 +50,11 @@ def lateral_bound(
     directed: bool,
     driven: int,
     travels: Sequence[Any] = (),
+    tips: bool = True,
 ) -> Floats:
     """Return a factor on loads up to which no blade or body leaves the plane, from below [-].
+
+    What the layout has grown by belongs to the loads.
 
     Parameters
     ----------
@@ -70,6 +69,8 @@ def lateral_bound(
         travels locked as well.
     travels : sequence
         Ends of a stroke from rest [m or rad]; what they bend softens blades across their width.
+    tips : bool
+        Whether the bodies may leave the plane; else only blades between them do.
 
     Returns
     -------
@@ -100,34 +101,45 @@ def lateral_bound(
     pulls = [_pull(layout, group, many) for group in groups]
     senses = [(1.0,) if directed and k == 0 else (1.0, -1.0) for k in range(len(groups))]
     least = np.full(plane.shape[0], np.inf)
+    misfit = np.sum([blade.growing for blade in blades], axis=0)
     for locked in (False, True)[: 1 + moves]:
-        moved = [_under(plane, pull, driven if locked else None) for pull in pulls]
+        held = driven if locked else None
+        moved, grown = [_under(plane, pull, held) for pull in pulls], _under(plane, misfit, held)
         for signs in product(*senses):
-            by_loads = np.sum([s * each for s, each in zip(signs, moved, strict=True)], axis=0)
+            by_loads = sum((s * each for s, each in zip(signs, moved, strict=True)), grown)
             loads = [
                 load.times(s) for s, group in zip(signs, groups, strict=True) for load in group
             ]
             lever = _of_loads(layout, loads, plane.shape)
             for stroke in strokes:
-                least = np.minimum(least, _factor(blades, by_loads, stroke, lever))
+                found = _factor(blades, by_loads, stroke, lever, tips=tips)
+                least = np.minimum(least, found)
     return least
 
 
-def _factor(blades: Sequence["_Strip"], by_loads: Floats, stroke: Floats, lever: Floats) -> Floats:
+def _factor(
+    blades: Sequence["_Strip"], by_loads: Floats, stroke: Floats, lever: Floats, *, tips: bool
+) -> Floats:
     """Return the factor on loads that no blade and no body tips under, beside a stroke."""
     used, taken, springs = 0.0 * by_loads[:, 0], 0.0 * by_loads[:, 0], []
     for blade in blades:
-        force = blade.force(by_loads)
-        used = np.maximum(used, blade.share(force))
+        force = blade.force(by_loads, blade.misfit)
+        used = np.maximum(used, blade.share(force, clamped=not tips))
         taken = np.maximum(taken, blade.share(blade.force(stroke)))
         lever = lever + blade.lever(force)
         springs.append((blade.bent(stroke + by_loads), blade.rows_across))
+    if not tips:
+        return _borne(used, taken)
     stiffness = _assembled(springs)
     size = np.sqrt(np.einsum("dii->di", stiffness))
     unit = size[:, :, None] * size[:, None, :]
     root = np.linalg.inv(np.linalg.cholesky(stiffness / unit))
     tipped = np.linalg.eigvalsh(-root @ (lever / unit) @ root.transpose(0, 2, 1))[:, -1]
-    needed = used + np.maximum(tipped, 0.0)
+    return _borne(used + np.maximum(tipped, 0.0), taken)
+
+
+def _borne(needed: Floats, taken: Floats) -> Floats:
+    """Return the factor on what loads need of what a stroke leaves."""
     with np.errstate(divide="ignore"):
         return np.where(taken < 1.0, np.maximum(1.0 - taken, TINY) / needed, 0.0)
 
@@ -138,7 +150,8 @@ class _Strip:
 
     ``rows_in_plane`` and ``rows_across`` make of the coordinates (x, y, φ) and (z, θ_x, θ_y) of
     all bodies the motion of its second end in the frame of its first: along it, across it in the
-    plane and its rotation, and out of the plane with both tilts. ``arms`` are of its ends from
+    plane and its rotation, and out of the plane with both tilts. ``misfit`` is the motion in the
+    plane by which what has grown leaves it without force. ``arms`` are of its ends from
     their bodies' points, ``at`` where these bodies' coordinates begin, none of the ground.
     """
 
@@ -150,6 +163,7 @@ class _Strip:
     GJ: Floats
     gyration: Floats
     shear: Floats
+    misfit: Floats
     arms: tuple[Floats, Floats]
     at: tuple[int | None, int | None]
     size: int
@@ -164,17 +178,26 @@ class _Strip:
         )
         chord = _vector(blade.end, designs) - _vector(blade.start, designs)
         l = np.linalg.norm(chord, axis=-1)
+        grown = layout.blade_growth.get(blade.name, 0.0) * chord
         ends, arms = [], []
         for name, point in ((blade.first, blade.start), (blade.second, blade.end)):
             i = names.index(name) if name in names else None
             ends.append(None if i is None else 3 * i)
             base = (0.0, 0.0) if i is None else layout.bodies[i].point
             arms.append(_vector(point, designs) - _vector(base, designs))
+            growth = layout.body_growth.get(name, 0.0)
+            grown = grown + (1.0 if len(arms) == 1 else -1.0) * growth * arms[-1]
         thin, wide = np.minimum(h, b), np.maximum(h, b)
         J = wide * thin**3 / 3.0 * (1.0 - 0.63 * thin / wide)
+        along = chord / l[:, None]
+        misfit = np.stack(
+            [np.sum(along * grown, axis=-1), np.sum(_normal(along) * grown, axis=-1), 0.0 * l],
+            axis=-1,
+        )
         return cls(
-            l, chord / l[:, None], E * b * h, E * b * h**3 / 12.0, E * h * b**3 / 12.0, G * J,
-            (b**2 + h**2) / 12.0, SHEARED / (G * b * h), (arms[0], arms[1]), (ends[0], ends[1]),
+            l, along, E * b * h, E * b * h**3 / 12.0, E * h * b**3 / 12.0, G * J,
+            (b**2 + h**2) / 12.0, SHEARED / (G * b * h), misfit,
+            (arms[0], arms[1]), (ends[0], ends[1]),
             3 * len(names),
         )  # fmt: skip
 
@@ -214,17 +237,27 @@ class _Strip:
         found[:, 1, 2] = found[:, 2, 1] = -6.0 * EI / l**2
         return found
 
-    def force(self, coordinates: Floats) -> Floats:
-        """Return the pull, the force across and the moment at its second end (designs, 3)."""
-        moved = self.rows_in_plane @ coordinates[:, :, None]
-        return np.asarray((self.in_plane @ moved)[:, :, 0])
+    @property
+    def growing(self) -> Floats:
+        """Return the forces on the coordinates of the plane that undo its misfit (designs, all)."""
+        back = self.in_plane @ self.misfit[:, :, None]
+        return np.asarray((self.rows_in_plane.transpose(0, 2, 1) @ back)[:, :, 0])
 
-    def share(self, force: Floats) -> Floats:
-        """Return the share of a force of what turns it aside at least, between ends that do not."""
+    def force(self, coordinates: Floats, misfit: Floats | float = 0.0) -> Floats:
+        """Return the pull, the force across and the moment at its second end (designs, 3)."""
+        moved = (self.rows_in_plane @ coordinates[:, :, None])[:, :, 0] - misfit
+        return np.asarray((self.in_plane @ moved[:, :, None])[:, :, 0])
+
+    def share(self, force: Floats, *, clamped: bool = False) -> Floats:
+        """Return the share of a force of what turns it aside at least, between ends that do not.
+
+        Both are ``clamped``, or the second is free to move out of the plane with its body.
+        """
         most = np.maximum(np.abs(force[:, 2]), np.abs(force[:, 2] + self.l * force[:, 1]))
         push = np.maximum(-force[:, 0], 0.0)
         of_moment = TURNED * most * self.l / np.sqrt(self.EI_across * self.GJ)
-        aside = EULER * self.l**2 / self.EI_across + self.shear
+        euler = EULER / 16.0 if clamped else EULER
+        aside = euler * self.l**2 / self.EI_across + self.shear
         aside = np.maximum(aside, self.gyration / self.GJ)
         return np.asarray(push * aside + of_moment)
 

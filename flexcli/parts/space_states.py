@@ -478,12 +478,15 @@ def stiffened_by(joint: SpaceJoint, scene: Scene) -> tuple[float, float]:
     return stated, either
 
 
-def straight_shares(joint: SpaceJoint, scene: Scene, most: float) -> Iterator[tuple[float, float]]:
+def straight_shares(
+    joint: SpaceJoint, scene: Scene, most: float
+) -> Iterator[tuple[float, float, float]]:
     """Yield the share of a case's loads that turns straight blades aside, and one that is sure.
 
     That is at each end of the stroke, the drive locked there, else free, and whichever way loads
     without a direction act. Up to the second share, zero where none is, the linear state tells its
-    stress, which no loss of stability leaves near what it was; both are ``most`` at most.
+    stress, which no loss of stability leaves near what it was; both are ``most`` at most. The third
+    number is what pushes a blade at the first the most, over its area [Pa].
     """
     stresses = Stresses(joint.assembly)
     groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
@@ -494,7 +497,8 @@ def straight_shares(joint: SpaceJoint, scene: Scene, most: float) -> Iterator[tu
             loads = combined(groups, list(signs))
             buckling = loads.following().buckling
             least = _told_up_to(joint, stroke, combined([loads], [most]), stresses) * most
-            yield max(least, min(1.0 / max(buckling, 1e-9), most)), least
+            share = max(least, min(1.0 / max(buckling, 1e-9), most))
+            yield share, least, share * loads.compression
 
 
 def _told_up_to(

@@ -144,6 +144,44 @@ def test_straight_beams_in_space_bear_more(seed):
     assert found < true * (1.0 + 2e-3)
 
 
+@pytest.mark.parametrize("seed", range(24))
+def test_straight_beams_in_space_grow_further_before_they_leave_the_plane(seed):
+    rng = np.random.default_rng(seed)
+    layout, load = random_joint(rng)
+    of_bodies = {name: 1e-4 * rng.normal() for name in ("ground", "tip", "middle")}
+    of_blades = {blade.name: 1e-4 * rng.normal() for blade in layout.blades}
+    layout = replace(layout, body_growth=of_bodies, blade_growth=of_blades)
+    loads, acting = [], []
+    if seed % 2:
+        x, y = load.force
+        loads = [load._replace(force=(1e-2 * x, 1e-2 * y), moment=0.0)]
+        acting = [SpaceLoad("tip", (*load.point, 0.0), (1e-2 * x, 1e-2 * y, 0.0))]
+    (found,) = lateral_bound(layout, [loads] if loads else [], directed=True, driven=1)
+    strained = len(layout.blades) > len(layout.bodies)
+    assert strained or loads or found > 1e9  # else all grows as it likes
+    space = from_plane(layout, "tip", turns=False, density=0.0)
+    space = replace(space, body_growth=of_bodies, blade_growth=of_blades)
+    true = straight_critical_factor(
+        space, None, acting, most=1e3 * found, frames=drive_frame(space.drive)
+    )
+    assert found < true * (1.0 + 2e-3) or not (strained or loads)
+
+
+def test_a_blade_that_grows_between_held_bodies_bears_eulers_strain():
+    h, b, l = 1e-3, 0.2e-3, 50e-3
+    far = Body("tip", (l, 0.0))
+    blades = (*strip(h, b, l).blades, replace(strip(h, b, l).blades[0], name="on",
+                                              first="tip", second="ground",
+                                              start=(l, 0.0), end=(2 * l, 0.0)))  # fmt: skip
+    growth = {"blade": 1e-4, "on": 1e-4}
+    layout = replace(strip(h, b, l), bodies=(far,), blades=blades, blade_growth=growth)
+    (found,) = lateral_bound(layout, [], directed=False, driven=1, tips=False)
+    # shear and 4 π²: a column clamped at both ends
+    assert float(found) == pytest.approx(4.0 * pi**2 * b**2 / 12.0 / l**2 / 1e-4, rel=1e-3)
+    (less,) = lateral_bound(layout, [], directed=False, driven=1)
+    assert float(less) < float(found) / 4.0
+
+
 def test_many_designs_are_as_each_alone():
     load = Load("tip", (20e-3, 0.0), (-1.0, 0.5))
     widths, travels = np.array([1e-3, 2e-3, 5e-3]), np.array([0.1e-3, 0.5e-3, 2e-3])

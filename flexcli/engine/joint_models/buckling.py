@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.joint_states import blades_of, layout_of, paths, turned
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.errors import SolveError
-from flexcli.formulas.buckling import johnson_stress
 from flexcli.formulas.joint_buckling import pulled_straight
 from flexcli.formulas.plate_factors import pure_bending_factor
 from flexcli.formulas.profile import Filleted, Notch
@@ -20,7 +19,6 @@ from flexcli.mechanics.layout import Blade, Body, Layout, Load
 from flexcli.mechanics.linear_buckling import LinearCritical, linear_critical
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import blade_places
-from flexcli.mechanics.stability import Critical as Reached
 from flexcli.mechanics.stability import critical_load, inertia_count_held
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
@@ -152,14 +150,21 @@ def warm_shares(
         except SolveError as error:
             if error.code != "no-critical-load":
                 raise NotAvailable(f"has no exact critical load: {error}") from error
-            none = f"{spoken}: none up to that"
+            none, most = f"{spoken}: none up to that", ask.most_share
+            try:
+                there = solve(
+                    layout.grown(most), held, loads=loads, load_factor=most,
+                    effects=blades_of(layout, effects), tolerance=ROUGH, levels=levels,
+                ).checked()  # fmt: skip
+            except SolveError:
+                yield CriticalShare(most, none, None, 0.0)
+                continue
             least = ErrorRange(-wide, inf) if isfinite(wide) else None
-            yield CriticalShare(ask.most_share, none, least)
+            yield CriticalShare(most, none, least, _compression(there))
             continue
-        share, crushed = _crushed(ask, found)
         off = wide + found.estimated_error
         known = ErrorRange(-off, off) if isfinite(off) else None
-        yield CriticalShare(share, spoken + crushed, known)
+        yield CriticalShare(found.factor, spoken, known, _compression(found.state))
 
 
 def critical_unsure(ask: Ask) -> tuple[float, float]:
@@ -177,19 +182,10 @@ def critical_unsure(ask: Ask) -> tuple[float, float]:
     return ask.clamp_softening + max(1.0 - least, 0.0), most + max(stiffest - 1.0, 0.0)
 
 
-def _crushed(ask: Ask, found: Reached) -> tuple[float, str]:
-    """Return the share that is borne, and how if blades yield before they buckle."""
-    given = ask.material.yield_strength
-    if given is None:
-        return found.factor, ""
-    stress = max(
-        float(np.max(-blade_stress(found.state, blade.name).axial))
-        for blade in found.state.layout.blades
-    )
-    if stress <= given.value / 2.0:
-        return found.factor, ""
-    borne = float(johnson_stress(stress, given.value)) / stress
-    return found.factor * borne, "; blades yield first, J. B. Johnson's parabola"
+def _compression(state: Equilibrium) -> float:
+    """Return the largest force that pushes a blade over its area [Pa], 0 if none does."""
+    each = (blade_stress(state, blade.name).axial for blade in state.layout.blades)
+    return max(0.0, *(float(np.max(-axial)) for axial in each))
 
 
 def push_scene(ask: Ask, push: Push) -> PushScene:

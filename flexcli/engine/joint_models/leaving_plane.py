@@ -16,6 +16,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.critical import straight_critical_factor
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
+from flexcli.mechanics.space.states import action, combined
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
@@ -63,11 +64,12 @@ def leaving_plane(ask: Ask, *, space: SpaceExactModel | None) -> Iterator[Critic
         if space is None:
             yield from _straight(pushed)
             continue
-        for share, _, error in space.critical_shares(pushed):
-            least = 0.0 if error is None else share * (1.0 + error.low)
-            if error is not None and error.high == inf and least > SURELY * ask.most_share:
+        for found in space.critical_shares(pushed):
+            unending = found.error is not None and found.error.high == inf
+            if unending and found.least > SURELY * ask.most_share:
                 continue  # nothing buckles it as far as anybody asks
-            yield Critical(WAY, share * scene.force, IN_SPACE, error=error)
+            force = found.share * scene.force
+            yield Critical(WAY, force, IN_SPACE, found.stress / force, found.error)
 
 
 def _pushed(scene: Scene, push: Push) -> Scene:
@@ -80,7 +82,8 @@ def _pushed(scene: Scene, push: Push) -> Scene:
 def _straight(ask: Ask) -> Iterator[Critical]:
     """Yield what buckles blades that stay straight, if anything: all that is known at rest."""
     joint = joint_of(ask)
-    pattern = [load for each in acting_groups(joint, ask.scene) for load in loads_of(joint, each)]
+    groups = acting_groups(joint, ask.scene)
+    pattern = [load for each in groups for load in loads_of(joint, each)]
     factor = _of_straight(joint.layout, pattern)
     if factor < inf:
         low = 1.0 - (TILTED if ask.scene.tilts else BOWED)
@@ -90,7 +93,9 @@ def _straight(ask: Ask) -> Iterator[Critical]:
         else:
             low *= _of_straight(soft, pattern) / factor * (1.0 - hinge_alone_off(joint.layout))
         known = None if ask.scene.moves or not joint.is_known else ErrorRange(low - 1.0, inf)
-        yield Critical(WAY, factor * ask.scene.force, STRAIGHT, error=known)
+        state = combined([action(joint.assembly, each) for each in groups], [1.0] * len(groups))
+        stress = state.compression / ask.scene.force
+        yield Critical(WAY, factor * ask.scene.force, STRAIGHT, stress, known)
 
 
 def _of_straight(layout: SpaceLayout, pattern: Sequence[SpaceLoad]) -> float:

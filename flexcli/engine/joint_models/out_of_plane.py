@@ -138,7 +138,13 @@ class OutOfPlane(BuiltOn):
             )
         if self._space is None:
             raise NotAvailable("has no force at stroke under loads out of its plane")
-        return self._space.effort(ask)
+        whole = self._space.effort(ask)
+        if ask.scene.tilts or max(map(_width, whole)) <= NARROW:
+            return whole
+        in_plane = ask._replace(scene=ask.scene.in_plane())
+        planar, without = self.inner.effort(in_plane), self._space.effort(in_plane)
+        summed = map(_with_change, planar, without, whole)
+        return tuple(min(pair, key=_width) for pair in zip(whole, summed, strict=True))
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the planar model's, which has that along z."""
@@ -388,6 +394,25 @@ class OutOfPlane(BuiltOn):
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
         across = self._across.of("across", ask, lambda: across_stress(joint, ask.scene))
         return _Parts(name, planar, across)
+
+
+def _width(effort: DriveEffort) -> float:
+    """Return how wide the range of a drive's effort is, infinite where nobody knows it [-]."""
+    return inf if effort.error is None else effort.error.high - effort.error.low
+
+
+def _with_change(planar: DriveEffort, without: DriveEffort, whole: DriveEffort) -> DriveEffort:
+    """Return a planar effort with what beams in space say that loads out of the plane change.
+
+    That change may be off by itself: of notches beams know less than the planar model.
+    """
+    change = whole.effort - without.effort
+    effort, error = planar.effort + change, None
+    if planar.error is not None and effort != 0.0:
+        low, high = sorted(planar.effort * end for end in planar.error)
+        low, high = sorted(((low - abs(change)) / effort, (high + abs(change)) / effort))
+        error = ErrorRange(low, high)
+    return whole._replace(effort=effort, error=error)
 
 
 def _on_roots(ask: Ask, error: ErrorRange | None) -> ErrorRange | None:

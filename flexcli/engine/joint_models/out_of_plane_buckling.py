@@ -13,7 +13,7 @@ from flexcli.engine.joint_models.space_stroke import BEAMS
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.critical import straight_critical_factor
 from flexcli.mechanics.space.exact.demand import drive_frame
-from flexcli.mechanics.space.states import Acting, SpaceState, action, combined
+from flexcli.mechanics.space.states import Acting, SpaceState, action, combined, warmed
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask, CriticalShare
 from flexcli.parts.scene import Scene
@@ -46,10 +46,10 @@ def out_of_plane_share(
     Nothing but its blades holds it in its plane; nothing is returned where it surely stands at the
     share that is ``asked``.
     Where no model can follow the loads its error is unknown; ``bound`` is what is told then. The
-    drive is locked at its stroke, or free without one; a temperature is left out. Loads act in
-    either sense, ``as_stated`` in the stated one where they have one.
+    drive is locked at its stroke, or free without one; a temperature grows with the loads. These
+    act in either sense, ``as_stated`` in the stated one where they have one.
     """
-    scene = ask.scene.at_assembly()
+    scene = ask.scene
     senses_of = _either_way(scene, only=as_stated and scene.directed)
     found = [share for each in senses_of if (share := _least(ask, each, bound, asked))]
     return min(found, key=lambda each: each.least, default=None)
@@ -69,16 +69,18 @@ def _least(ask: Ask, scene: Scene, bound: float, asked: float) -> CriticalShare 
     try:
         joint = joint_of(ask)
         groups = acting_groups(joint, scene)
-        if not groups:
+        if not groups and not joint.layout.grows:
             return None
-        states = [action(joint.assembly, each) for each in groups]
-        near = asked * _near_by_small_motion(states, scene)
+        states = list(_by_small_motion(joint, groups, scene))
+        after = [state.following() for state in states]
+        near = asked * max(max(each.buckling, each.arms) for each in after)
+        pushed = max(state.compression for state in states)
         # a stroke bends blades, which are softer across their width then
         if not scene.moves and near * ROUGHLY * STANDS < 1.0:
             return None
         straight = min(_of_straight_blades(ask, joint, groups, STANDS * asked))
     except (NotAvailable, SolveError):
-        return CriticalShare(bound, scene.hold, None)  # of no model in space, or not held in it
+        return CriticalShare(bound, scene.hold, None, 0.0)  # of no model in space
     if straight >= STANDS * asked:
         return None
     try:
@@ -86,18 +88,21 @@ def _least(ask: Ask, scene: Scene, bound: float, asked: float) -> CriticalShare 
         further = ask._replace(most_share=most)
         found = list(critical_shares(further, BEAMS, bows=not joint.is_mirrored))
     except (NotAvailable, SolveError):
-        return CriticalShare(straight, scene.hold, None)
+        return CriticalShare(straight, scene.hold, None, straight * pushed)
     least = min(found, key=lambda each: each.least)
     if least.error is None or least.share < most:
         return least
     # what stands as far as it was followed stands the longer the more straight blades bear
-    return least._replace(share=max(straight, most))
+    share = max(straight, most)
+    return least._replace(share=share, stress=share * pushed)
 
 
-def _near_by_small_motion(states: list[SpaceState], scene: Scene) -> float:
-    """Return the largest share that a case's loads have of what buckles straight blades [-]."""
-    each = (combined(states, list(signs)).following() for signs in senses(scene, len(states)))
-    return max(max(after.buckling, after.arms) for after in each)
+def _by_small_motion(joint: SpaceJoint, groups: list[Acting], scene: Scene) -> Iterator[SpaceState]:
+    """Yield the linear states under a case's loads, each in its senses, and its temperature."""
+    states = [action(joint.assembly, each) for each in groups]
+    heat = [warmed(joint.assembly, locked=scene.moves)] if joint.layout.grows else []
+    for signs in senses(scene, len(states)):
+        yield combined([*states, *heat], [*signs, *(1.0 for _ in heat)])
 
 
 def _of_straight_blades(

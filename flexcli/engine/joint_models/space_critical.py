@@ -28,7 +28,7 @@ from flexcli.mechanics.space.exact.demand import Held, drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.inertia import blade_masses
 from flexcli.mechanics.space.layout import SpaceLayout
-from flexcli.mechanics.space.states import Acting, action, combined
+from flexcli.mechanics.space.states import Acting, action, combined, warmed
 from flexcli.parts.elastic import NotAvailable, buckled
 from flexcli.parts.requirements import Ask, CriticalShare
 from flexcli.parts.space_joint import SpaceJoint, joint_of
@@ -60,7 +60,8 @@ def critical_shares(ask: Ask, blades: Blades, *, bows: bool = True) -> Iterator[
     layout, drive = joint.layout, joint.layout.drive
     acting = acting_groups(joint, scene)
     groups = [loads_of(joint, each) for each in acting]
-    rest = [action(joint.assembly, each) for each in acting] if blades is BEAMS else []
+    rest = [action(joint.assembly, each) for each in acting]
+    heat = [warmed(joint.assembly, locked=scene.moves)] if layout.grows else []
     unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     most = ask.most_share
     for travel in dict.fromkeys(scene.stroke_ends):
@@ -95,11 +96,12 @@ def critical_shares(ask: Ask, blades: Blades, *, bows: bool = True) -> Iterator[
                 )  # fmt: skip
                 own = (1.0 - soft.off) * (1.0 - found.estimated_error - unsure)
                 low = max(low, min(1.0, softest / share) * own)
-            if rest:
-                forces = combined(rest, [share * sign for sign in signs]).moved.forces[:, 0]
-                low /= 1.0 + width_error(joint.assembly, forces)
+            shares = [share * sign for sign in (*signs, *(1.0 for _ in heat))]
+            there = combined([*rest, *heat], shares)
+            if blades is BEAMS:
+                low /= 1.0 + width_error(joint.assembly, there.moved.forces[:, 0])
             error_range = ErrorRange(low - 1.0, high) if isfinite(off) else None
-            yield CriticalShare(share, spoken, error_range)
+            yield CriticalShare(share, spoken, error_range, there.compression)
 
 
 def _critical(ask: Ask, travel: float, blades: Blades, loads: Loads, most: float) -> SpaceCritical:

@@ -107,12 +107,14 @@ ROUNDING = 1e-9
 class _Tangent(NamedTuple):
     """The compliance along the axes of cases at a travel (6, 6), of beams and of what is finest.
 
-    Without a travel it is that of a temperature alone, the drive free. ``coarser`` is that on the
-    level before; ``off`` is by what share of √(g·C g · f·C f) the motion g·C f may be off besides,
-    if that is known. ``pose`` is a joint of hinges as it stands there.
+    Without a travel it is that of a temperature alone, the drive free. ``unstrained`` is that of
+    beams there without what acts besides. ``coarser`` is that on the level before; ``off`` is by
+    what share of √(g·C g · f·C f) the motion g·C f may be off besides, if that is known. ``pose``
+    is a joint of hinges as it stands there.
     """
 
     travel: float | None
+    unstrained: Floats
     beams: Floats
     finest: Floats
     coarser: Floats
@@ -328,15 +330,21 @@ class _Asked:
         cancelled = SOLVED * float(np.linalg.norm((self.rest @ self.load)[own_axes]))
         if known is None or abs(own) + share * work > MOST * work:
             return _Told(value, -inf, inf)
+
+        def used(size: Floats) -> float:
+            return float(((g @ size @ g) * (f @ size @ f)) ** 0.5)
+
         # and what both do to each other
-        used = float((g @ size @ g) * (f @ size @ f)) ** 0.5
         off = self._grown(own, work)
         if self.springs is None:
+            off += STROKE_ERROR * used(size) + max(ASTRAY, self.unsure) * share * work
+            strain = end.beams[block] - end.unstrained[block]
+            strained, of_it = _changes(strain, self.rest[block])
             # what is off of a stiffness by as much is more of a compliance that it raises
-            of_change = max(STROKE_ERROR, _of_strain(self.of_strain, share) * (1.0 + share))
-            off += of_change * used + max(ASTRAY, self.unsure) * share * work
+            of_strain = _of_strain(self.of_strain, strained) * (1.0 + strained)
+            off += max(of_strain - STROKE_ERROR, 0.0) * used(of_it)
         elif end.travel != 0.0:
-            off += self.springs.off(used, work)
+            off += self.springs.off(used(size), work)
         off += abs(own) * share + cancelled
         low, high = sorted(sign * end for end in known)
         return _Told(value, low - off, high + off)
@@ -520,19 +528,21 @@ def _tangent(strained: _Strained, travel: float | None, blades: Blades) -> _Tang
         return compliance_along_cases(ask, state, CENTRE, locked=False)
 
     still, state = strained.at(travel), strained.at(travel, blades)
-    beams, known = compliance(still), blades.errors(state)
+    unstrained = beams = compliance(still)
+    if strained.states:
+        unstrained = compliance(at_travel(ask, travel or 0.0, warmth=0.0))
+    known = blades.errors(state)
     if known is None or state.coarser is None:
-        return _Tangent(travel, beams, beams, beams, None)
+        return _Tangent(travel, unstrained, beams, beams, beams, None)
     pose = None if travel is None or strained.states or blades is not BEAMS else pose_of(ask, still)
     finest, coarser = compliance(state), compliance(state.coarser)
     if known.support >= 1.0:
-        return _Tangent(travel, beams, finest, coarser, None, pose)
+        return _Tangent(travel, unstrained, beams, finest, coarser, None, pose)
     off = (1.0 + ask.clamp_softening) / (1.0 - known.support) - 1.0
     if strained.states:
-        cold = compliance(at_travel(ask, 0.0, warmth=0.0))
-        share = _largest_share(beams - cold, cold)
+        share = _largest_share(beams - unstrained, unstrained)
         off += _of_strain(strained.error(), share) * share
-    return _Tangent(travel, beams, finest, coarser, off, pose)
+    return _Tangent(travel, unstrained, beams, finest, coarser, off, pose)
 
 
 def _of_strain(unlike: float, share: float) -> float:

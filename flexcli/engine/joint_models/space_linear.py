@@ -132,8 +132,8 @@ class SpaceLinearModel(JointModel):
             raise NotAvailable("has no linear model of what buckles it")
         sure = _borne_by_wide_blades(joint, scene, ask.most_share)
         return tuple(
-            CriticalShare(share, scene.hold, ErrorRange(least * sure / share - 1.0, inf))
-            for share, least in straight_shares(joint, scene, ask.most_share)
+            CriticalShare(share, scene.hold, ErrorRange(least * sure / share - 1.0, inf), stress)
+            for share, least, stress in straight_shares(joint, scene, ask.most_share)
         )
 
     def _places(self, ask: Ask) -> tuple[list[Place], ErrorRange | None]:

@@ -180,6 +180,12 @@ class SpaceBlade:
         """Return whether nothing is counted that keeps its ends flat."""
         return self.warps or not self.feels.warping
 
+    @property
+    def area(self) -> float:
+        """Return the least area of its sections [m²]."""
+        l = float(np.linalg.norm(np.subtract(self.end, self.start)))
+        return float(self.b * self.profile.least_thickness(l))
+
     @cached_property
     def axes(self) -> Floats:
         """Its axes as rows, not writable: x along it, y across its thickness, z its width."""

@@ -71,6 +71,13 @@ class SpaceState:
         rows = 6 * len(self.assembly.layout.blades)
         return np.asarray(self.moved.deformations[:rows, 0].reshape(-1, 6))
 
+    @property
+    def compression(self) -> float:
+        """Return the largest force that pushes a blade over its least area [Pa], 0 if none does."""
+        N = self.moved.forces[: 6 * len(self.assembly.layout.blades) : 6, 0]
+        areas = np.array([blade.area for blade in self.assembly.layout.blades])
+        return float(np.max(-N / areas, initial=0.0))
+
     def following(self) -> SecondOrder:
         """Return what the second order adds."""
         return second_order(

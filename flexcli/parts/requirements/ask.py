@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from math import pi
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
+from flexcli.formulas.buckling import johnson_stress
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import Number, larger
 from flexcli.parts.effect_names import EffectName
@@ -174,11 +175,34 @@ class CriticalShare(NamedTuple):
     """The share of the loads of a case that buckles a mechanism [-], and how it is held.
 
     ``error`` is relative; its high end is infinite where nothing buckles up to that share.
+    ``stress`` is the largest compression of a blade, force over area, at that share [Pa].
     """
 
     share: float
     held: str
     error: ErrorRange | None
+    stress: float
+
+    def borne(self, strength: float | None) -> "CriticalShare":
+        """Return the share that is borne where blades yield before they buckle.
+
+        By Johnson's parabola, as a force is; without a yield strength it is the elastic one.
+        """
+        if strength is None or self.stress <= 0.0:
+            return self
+        per_share = self.stress / self.share
+
+        def least(share: float) -> float:
+            return float(johnson_stress(share * per_share, strength)) / per_share
+
+        share = least(self.share)
+        held, error = self.held, self.error
+        if error is not None:
+            low, high = (least(self.share * (1.0 + end)) / share - 1.0 for end in error)
+            error = ErrorRange(low, high)
+        if share < self.share:
+            held += "; blades yield first, J. B. Johnson's parabola"
+        return CriticalShare(share, held, error, share * per_share)
 
     @property
     def least(self) -> float:

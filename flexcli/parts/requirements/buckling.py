@@ -120,12 +120,13 @@ class Buckling(FactorRequirement):
         """Return the shares of the loads that buckle the joint, looked for as far as that decides.
 
         What stands at all shares that were looked at may be known to stand at the factor only if it
-        stands far beyond.
+        stands far beyond. They are borne where blades yield before they buckle.
         """
-        most = max(MOST_SHARE, BEYOND * self.factor)
+        most, given = max(MOST_SHARE, BEYOND * self.factor), ask.material.yield_strength
+        strength = None if given is None else given.value
         found = tuple(ask.joint_model.critical_shares(ask._replace(most_share=most)))
         for _ in range(2):
-            further = self._most_to_decide(found, most)
+            further = self._most_to_decide(found, most, strength)
             if further is None:
                 break
             try:
@@ -133,11 +134,13 @@ class Buckling(FactorRequirement):
                 found, most = tuple(more), further
             except NotAvailable:  # so far its path is not found
                 break
-        return found
+        return tuple(each.borne(strength) for each in found)
 
-    def _most_to_decide(self, found: Sequence[CriticalShare], most: float) -> float | None:
+    def _most_to_decide(
+        self, found: Sequence[CriticalShare], most: float, strength: float | None
+    ) -> float | None:
         """Return up to which share to look, if that all stand beyond ``most`` may decide."""
-        least = [each.share * (1.0 + each.error.low) for each in found if each.error is not None]
+        least = [each.borne(strength).least for each in found if each.error is not None]
         standing = all(each.share >= most for each in found) and len(least) == len(found)
         if not found or not standing or not 0.0 < min(least) < self.factor:
             return None

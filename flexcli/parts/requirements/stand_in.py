@@ -68,7 +68,7 @@ class _StandIn(JointModel):
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return 1."""
-        return (CriticalShare(1.0, "stand-in", None),)
+        return (CriticalShare(1.0, "stand-in", None, 0.0),)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return 1."""

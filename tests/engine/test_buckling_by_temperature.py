@@ -1,0 +1,102 @@
+"""What a temperature pushes buckles out of the plane as well, and is crushed where blades yield."""
+
+import numpy as np
+import pytest
+import yaml
+from scipy.optimize import brentq
+
+import flexcli
+
+TITANIUM = {"name": "m", "youngs_modulus": "114 GPa", "poisson_ratio": 0.34,
+            "yield_strength": "880 MPa", "thermal_expansion": "9e-6 1/K"}  # fmt: skip
+STEEL = {"name": "annealed", "youngs_modulus": "193 GPa", "poisson_ratio": 0.29,
+         "yield_strength": "205 MPa", "thermal_expansion": "16e-6 1/K"}  # fmt: skip
+NO_STRAIN = {"temperature": {"uniform": "1e-7 K"}}
+
+
+def checked(geometry, requirements, material=TITANIUM, **case):
+    spec = {"flexure": 1, "title": "warm", "material": material, "geometry": geometry,
+            "cases": {"work": case}, "requirements": requirements}  # fmt: skip
+    return {check.name: check for check in flexcli.verdicts(yaml.safe_dump(spec)).checks}
+
+
+def bridge(h, b):
+    """Return two blades in a row with a body between them, that a cold base pushes together."""
+    blade = {"between": ["ground", "st"], "h": f"{h} mm", "b": f"{b} mm"}
+    return {
+        "kind": "layout", "moving": "st", "motion": {"translation": "90 deg"},
+        "bodies": {"st": {"at": ["0 mm", "0 mm"]}},
+        "blades": {
+            "left": {**blade, "from": ["-20 mm", "0 mm"], "to": ["-2 mm", "0 mm"]},
+            "right": {**blade, "from": ["20 mm", "0 mm"], "to": ["2 mm", "0 mm"]},
+        },
+    }  # fmt: skip
+
+
+def cold(kelvin):
+    return {"temperature": {"bodies": {"ground": f"{-kelvin} K"}}}
+
+
+def test_a_narrow_bridge_buckles_aside_as_the_same_one_turned_does_in_its_plane():
+    asked = {"buckling": {"factor": 1.5}, "yield": {"factor": 1.2}}
+    aside = checked(bridge(0.2, 0.1), asked, **cold(5.0))
+    turned = checked(bridge(0.1, 0.2), asked, **cold(5.0))
+    assert aside["buckling"].verdict.value == turned["buckling"].verdict.value == "fail"
+    assert aside["buckling"].factor == pytest.approx(turned["buckling"].factor, rel=0.02)
+    assert aside["yield (yield-strength)"].verdict.value == "fail"
+
+
+def test_it_passes_where_it_surely_stands_and_wide_blades_do_as_they_do_in_the_plane():
+    asked = {"buckling": {"factor": 1.5}}
+    stands = checked(bridge(0.2, 0.1), asked, **cold(1.0))["buckling"]
+    assert stands.verdict.value == "pass"
+    assert stands.factor_range[0] < 2.6
+    wide = checked(bridge(0.2, 1.0), asked, **cold(5.0))["buckling"]
+    assert wide.verdict.value == "pass"
+    assert wide.factor == pytest.approx(2.02, rel=0.05)
+
+
+def test_blades_between_bodies_that_ends_hold_in_the_plane_are_looked_at_as_well():
+    narrow = checked(
+        bridge(0.2, 0.05), {"buckling": {"factor": 1.5}}, ends="clamped-clamped", **cold(20.0)
+    )["buckling"]
+    assert narrow.verdict.value == "undecided"
+    wide = checked(
+        bridge(0.2, 1.0), {"buckling": {"factor": 1.5}}, ends="clamped-clamped", **cold(20.0)
+    )["buckling"]
+    assert wide.verdict.value == "pass"
+
+
+STAGE = {"kind": "leaf-spring-stage", "h": "0.3 mm", "l": "20 mm", "b": "0.2 mm", "blades": 2,
+         "spacing": "30 mm"}  # fmt: skip
+
+
+def test_a_temperature_that_strains_nothing_leaves_what_a_force_turns_aside():
+    # a column with a stiff arm that is pulled: u tanh u = l/e, e = l/2
+    u = brentq(lambda u: u * np.tanh(u) - 2.0, 0.1, 10.0)
+    borne = 2.0 * u**2 * 114e9 * 0.3e-3 * 0.2e-3**3 / 12.0 / 20e-3**2
+    force = {"load": {"force": f"{borne / 1.2} N"}, "ends": "clamped-free"}
+    found = checked(STAGE, {"buckling": {"factor": 3.0}}, **force, **NO_STRAIN)["buckling"]
+    assert found.verdict.value == "fail"
+    assert found.factor_range[0] < 1.2 < found.factor_range[1] < 1.3
+
+
+STOCKY = {"kind": "leaf-spring-stage", "h": "1 mm", "l": "10 mm", "b": "5 mm", "blades": 2,
+          "spacing": "10 mm"}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "beside", [NO_STRAIN, {"wrench": {"z": "1e-9 N"}}], ids=["temperature", "force across"]
+)
+def test_stocky_blades_yield_before_they_buckle_whatever_acts_beside_the_force(beside):
+    # Euler's stress is 7.7 times the strength: the elastic share passes where the crushed one fails
+    force = {"load": {"force": "800 N"}, "ends": "clamped-free"}
+    asked = {"buckling": {"factor": 4.0}}
+    alone = checked(STOCKY, asked, STEEL, **force)["buckling"]
+    assert "Johnson" in alone.source
+    assert alone.factor == pytest.approx(205e6 * (1 - 1 / 4 / 7.7) * 10e-6 / 800, rel=0.01)
+    both = checked(STOCKY, asked, STEEL, **force, **beside)["buckling"]
+    assert both.verdict.value == alone.verdict.value == "fail"
+    assert both.factor_range[0] < alone.factor * 1.002
+    assert both.factor_range[1] > alone.factor * 0.998
+    assert both.factor_range[1] < 205e6 * 10e-6 / 800 * 1.001
