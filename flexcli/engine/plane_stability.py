@@ -130,7 +130,7 @@ class PlaneStability:
         if key not in self._shares:
             bound, found = float(self._bound(requirement, ask)), None
             if is_held_by_blades(ask):
-                found = out_of_plane_share(ask, bound, key[2], as_stated=as_stated)
+                found = out_of_plane_share(ask, bound, key[2], buckling=as_stated)
             else:
                 found = CriticalShare(bound, ask.scene.hold, None, 0.0)
             given = ask.material.yield_strength

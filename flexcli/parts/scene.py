@@ -181,6 +181,11 @@ class Scene(NamedTuple):
         return "drive locked at its stroke" if self.moves else "drive free"
 
     @property
+    def keeps(self) -> str:
+        """Return what keeps it where its loads are looked at that buckle it, in words."""
+        return "its stroke kept by a force" if self.moves and not self.on_bodies else self.hold
+
+    @property
     def stroke_ends(self) -> tuple[float, float]:
         """Return the travels of both ends of the stroke, rest without one [m or rad]."""
         return self.middle + self.travel, self.middle - self.travel

@@ -100,3 +100,32 @@ def test_stocky_blades_yield_before_they_buckle_whatever_acts_beside_the_force(b
     assert both.factor_range[0] < alone.factor * 1.002
     assert both.factor_range[1] > alone.factor * 0.998
     assert both.factor_range[1] < 205e6 * 10e-6 / 800 * 1.001
+
+
+DRIVEN = {"kind": "leaf-spring-stage", "h": "0.1 mm", "l": "20 mm", "b": "4 mm", "blades": 2,
+          "spacing": "20 mm"}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "beside", [NO_STRAIN, {"wrench": {"z": "1e-9 N"}}], ids=["temperature", "force across"]
+)
+def test_a_drive_is_no_hold_whatever_acts_beside_the_force(beside):
+    # locked, the stage would sway at none and its blades buckle at four times the force
+    force = {"load": {"force": "10 N"}, "stroke": {"translation": "10 um"}, "ends": "clamped-free"}
+    sways = 2.0 * np.pi**2 * 114e9 * 4e-3 * 0.1e-3**3 / 12.0 / 20e-3**2 / 10.0
+    asked = {"buckling": {"factor": 3.0 * sways}}
+    alone = checked(DRIVEN, asked, **force)["buckling"]
+    assert alone.factor == pytest.approx(sways, rel=0.12)  # as a plate, and strained by the stroke
+    both = checked(DRIVEN, asked, **force, **beside)["buckling"]
+    assert both.verdict.value == alone.verdict.value == "fail"
+    assert both.factor_range[0] < alone.factor_range[1]
+    assert both.factor_range[1] > alone.factor_range[0]
+
+
+def test_a_hinge_buckles_beside_a_temperature_as_surely_as_its_stiffness_is_known():
+    thick = {"kind": "notch-hinge", "e": "0.5 mm", "r": "2 mm", "b": "5 mm"}
+    force = {"load": {"force": "10 N"}, "ends": "clamped-free"}
+    asked = {"buckling": {"factor": 100.0}}
+    cold_, warm = (checked(thick, asked, **force, **more)["buckling"] for more in ({}, NO_STRAIN))
+    assert warm.factor_range[0] < cold_.factor_range[1]
+    assert warm.factor_range[1] > cold_.factor_range[0]

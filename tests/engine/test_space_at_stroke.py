@@ -575,17 +575,18 @@ requirements:
 
 
 def test_each_path_of_loads_is_walked_once_whatever_asks(tmp_path, monkeypatch):
-    """Whether whole loads stand, which stress asks, and what buckles the joint."""
+    """Whether whole loads stand, which stress asks, and what buckles the joint, no drive's hold."""
     walked = []
     find = space_critical.critical_load
 
     def counted(layout, held, loads, **how):
-        walked.append((str(held), loads))
+        walked.append((str(held), loads, how["released"]))
         return find(layout, held, loads, **how)
 
     monkeypatch.setattr(space_critical, "critical_load", counted)
     checked(LOST, tmp_path, flexcli.check, model="exact")
-    assert len(walked) == len(set(walked)) == 2  # one at each end of the stroke
+    # at each end of the stroke with the drive locked, and there and at rest with it a force
+    assert len(walked) == len(set(walked)) == 2 + 3
 
 
 STAR = """

@@ -136,15 +136,14 @@ def warm_shares(
 ) -> Iterator[CriticalShare]:
     """Yield the shares of temperature and loads together at which a joint buckles, in the plane.
 
-    They are those of both ends of its stroke, the drive locked there, and of each sense that the
-    loads may have; what the ends of the case hold is held.
+    They are those of rest and both ends of its stroke, which a drive keeps by an effort, and of
+    each sense that the loads may have; what the ends of the case hold is held.
     """
-    wide = sum(critical_unsure(ask))
-    for travel, layout, held, loads in paths(ask):
-        spoken = "drive free" if travel is None else "drive locked at its stroke"
+    wide, spoken = sum(critical_unsure(ask)), ask.scene.keeps
+    for layout, held, driven, loads in paths(ask):
         try:
             found = critical_load(
-                layout, held, loads, most=ask.most_share,
+                layout, held, loads, most=ask.most_share, driven=driven,
                 effects=blades_of(layout, effects), tolerance=tolerance, levels=levels,
             )  # fmt: skip
         except SolveError as error:
@@ -153,7 +152,7 @@ def warm_shares(
             none, most = f"{spoken}: none up to that", ask.most_share
             try:
                 there = solve(
-                    layout.grown(most), held, loads=loads, load_factor=most,
+                    layout.grown(most), {**held, **driven}, loads=loads, load_factor=most,
                     effects=blades_of(layout, effects), tolerance=ROUGH, levels=levels,
                 ).checked()  # fmt: skip
             except SolveError:
@@ -184,8 +183,9 @@ def critical_unsure(ask: Ask) -> tuple[float, float]:
 
 def _compression(state: Equilibrium) -> float:
     """Return the largest force that pushes a blade over its area [Pa], 0 if none does."""
-    each = (blade_stress(state, blade.name).axial for blade in state.layout.blades)
-    return max(0.0, *(float(np.max(-axial)) for axial in each))
+    blades = state.layout.blades
+    pulls = (blade_stress(state, each.name).axial / each.peak[1] for each in blades)
+    return max(0.0, *(float(np.max(-pull)) for pull in pulls))
 
 
 def push_scene(ask: Ask, push: Push) -> PushScene:

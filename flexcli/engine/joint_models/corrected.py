@@ -15,6 +15,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import (
     Ask,
+    CriticalShare,
     DriveEffort,
     EndStress,
     JointModel,
@@ -108,6 +109,19 @@ class Corrected(BuiltOn):
         if not ask.scene.is_accelerated:
             return tuple(found)
         return tuple(_with_weight(ask, critical) for critical in found)
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return those of the inner model, no surer than the stiffness of what bends in it."""
+        unlike = self.by.unlike(ask)
+        found = self.inner.critical_shares(ask)
+
+        def known(error: ErrorRange | None) -> ErrorRange | None:
+            if unlike is None or error is None:
+                return None
+            off = number(unlike)
+            return ErrorRange(min(error.low, -off), max(error.high, off))
+
+        return tuple(each._replace(error=known(each.error)) for each in found)
 
     def _corrected(self, ask: Ask, critical: Critical) -> Critical:
         if critical.way == ACROSS_WIDTH:

@@ -172,20 +172,24 @@ def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floa
     return solver(layout, held, _loads(scene, layout, density, signs, 0.0))
 
 
-def paths(ask: Ask) -> Iterator[tuple[float | None, Layout, Held, list[Load]]]:
-    """Yield travel, layout, what is held and loads of a case, on which temperature and loads grow.
+def paths(ask: Ask) -> Iterator[tuple[Layout, Held, Held, list[Load]]]:
+    """Yield layout, what is held and what a drive keeps, and loads that grow with a temperature.
 
-    The travels are both ends of a stroke, none without one; loads have each sense they may have.
+    That is at rest and at both ends of a stroke; loads have each sense they may have.
     """
     one_alone()
     scene, geometry = ask.scene, ask.geometry
     across = hold_of(scene).across and not scene.moves
     angle = _facing(scene) if across else 0.0
     layout = turned(warmed(ask), -angle)
-    for travel in dict.fromkeys(scene.stroke_ends) if scene.moves else (None,):
-        held = held_at_rest(scene, geometry)
+    for travel in dict.fromkeys((*scene.stroke_ends, 0.0)) if scene.moves else (None,):
+        kept = held = held_at_rest(scene, geometry)
         if travel is not None:
-            held = held_by_stroke(scene, geometry, travel)
+            kept = held_by_stroke(scene, geometry, travel)
+            x, y, phi = kept
+            held = x, None, phi
+            if driven_axis(geometry) == 2:
+                held = x, y, phi if hold_of(scene).turn else None
         for signs in _signs(scene):
             loads = [
                 load._replace(
@@ -194,7 +198,7 @@ def paths(ask: Ask) -> Iterator[tuple[float | None, Layout, Held, list[Load]]]:
                 )
                 for load in _loads(scene, layout, _density(ask), signs[None], -angle)
             ]
-            yield travel, layout, {MOVING: held}, loads
+            yield layout, {MOVING: held}, {MOVING: kept}, loads
 
 
 def warmed(ask: Ask) -> Layout:

@@ -8,7 +8,7 @@ have in it then says nothing.
 from collections.abc import Iterator
 
 from flexcli.engine.joint_models.dead_loads import loads_of, signed
-from flexcli.engine.joint_models.space_critical import critical_shares, path_at
+from flexcli.engine.joint_models.space_critical import critical_shares, path_at, travels_of
 from flexcli.engine.joint_models.space_stroke import BEAMS
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.critical import straight_critical_factor
@@ -39,19 +39,21 @@ ENOUGH = 1.5
 
 
 def out_of_plane_share(
-    ask: Ask, bound: float, asked: float, *, as_stated: bool
+    ask: Ask, bound: float, asked: float, *, buckling: bool
 ) -> CriticalShare | None:
     """Return the least share of a case's loads that buckles a joint in space, where it is near.
 
     Nothing but its blades holds it in its plane; nothing is returned where it surely stands at the
     share that is ``asked``.
-    Where no model can follow the loads its error is unknown; ``bound`` is what is told then. The
-    drive is locked at its stroke, or free without one; a temperature grows with the loads. These
-    act in either sense, ``as_stated`` in the stated one where they have one.
+    Where no model can follow the loads its error is unknown; ``bound`` is what is told then. A
+    drive holds the joint at its stroke, and is free without one; a temperature grows with the
+    loads. These act in either sense. For its ``buckling`` they do so as they are stated, where they
+    are, and no drive holds it.
     """
     scene = ask.scene
-    senses_of = _either_way(scene, only=as_stated and scene.directed)
-    found = [share for each in senses_of if (share := _least(ask, each, bound, asked))]
+    senses_of = _either_way(scene, only=buckling and scene.directed)
+    each = (_least(ask, sense, bound, asked, drive_holds=not buckling) for sense in senses_of)
+    found = [share for share in each if share]
     return min(found, key=lambda each: each.least, default=None)
 
 
@@ -63,7 +65,9 @@ def _either_way(scene: Scene, *, only: bool) -> Iterator[Scene]:
         yield scene._replace(stated=(-x, -y, -z, -about_x, -about_y, -about_z))
 
 
-def _least(ask: Ask, scene: Scene, bound: float, asked: float) -> CriticalShare | None:
+def _least(
+    ask: Ask, scene: Scene, bound: float, asked: float, *, drive_holds: bool
+) -> CriticalShare | None:
     """Return the least share of loads that may buckle a joint, nothing where all are borne."""
     ask = ask._replace(scene=scene)
     try:
@@ -78,7 +82,7 @@ def _least(ask: Ask, scene: Scene, bound: float, asked: float) -> CriticalShare 
         # a stroke bends blades, which are softer across their width then
         if not scene.moves and near * ROUGHLY * STANDS < 1.0:
             return None
-        straight = min(_of_straight_blades(ask, joint, groups, STANDS * asked))
+        straight = min(_of_straight_blades(ask, joint, groups, STANDS * asked, drive_holds))
     except (NotAvailable, SolveError):
         return CriticalShare(bound, scene.hold, None, 0.0)  # of no model in space
     if straight >= STANDS * asked:
@@ -86,7 +90,8 @@ def _least(ask: Ask, scene: Scene, bound: float, asked: float) -> CriticalShare 
     try:
         most = ENOUGH * asked
         further = ask._replace(most_share=most)
-        found = list(critical_shares(further, BEAMS, bows=not joint.is_mirrored))
+        bows = not joint.is_mirrored
+        found = list(critical_shares(further, BEAMS, bows=bows, drive_holds=drive_holds))
     except (NotAvailable, SolveError):
         return CriticalShare(straight, scene.hold, None, straight * pushed)
     least = min(found, key=lambda each: each.least)
@@ -106,14 +111,12 @@ def _by_small_motion(joint: SpaceJoint, groups: list[Acting], scene: Scene) -> I
 
 
 def _of_straight_blades(
-    ask: Ask, joint: SpaceJoint, groups: list[Acting], most: float
+    ask: Ask, joint: SpaceJoint, groups: list[Acting], most: float, drive_holds: bool
 ) -> Iterator[float]:
-    """Yield the factor on loads at which blades that move no further buckle, in each sense.
-
-    The drive is locked at either end of a stroke, free without one.
-    """
+    """Yield the factor on loads at which blades that move no further buckle, in each sense."""
     loads, frames = [loads_of(joint, each) for each in groups], drive_frame(joint.layout.drive)
-    paths = [path_at(ask, travel, BEAMS) for travel in dict.fromkeys(ask.scene.stroke_ends)]
+    travels = travels_of(ask.scene, drive_holds=drive_holds)
+    paths = [path_at(ask, travel, BEAMS, drive_holds=drive_holds) for travel in travels]
     for signs in senses(ask.scene, len(loads)):
         pattern = list(signed(loads, signs))
         for path in paths:
@@ -122,6 +125,7 @@ def _of_straight_blades(
                 path.held,
                 pattern,
                 most=most,
+                released=path.released,
                 frames=frames,
                 start=path.start,
                 close=CLOSE,

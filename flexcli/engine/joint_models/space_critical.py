@@ -1,6 +1,6 @@
 """What buckles a joint in space: the shares of its loads at both ends of a stroke."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import inf, isfinite
 from typing import NamedTuple, TypeAlias
@@ -31,24 +31,30 @@ from flexcli.mechanics.space.layout import SpaceLayout
 from flexcli.mechanics.space.states import Acting, action, combined, warmed
 from flexcli.parts.elastic import NotAvailable, buckled
 from flexcli.parts.requirements import Ask, CriticalShare
+from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import acting_groups, senses
 from flexcli.results import ErrorRange
 
-__all__ = ["critical_shares", "may_stand", "path_at"]
+__all__ = ["critical_shares", "may_stand", "path_at", "travels_of"]
 
 LOST_EARLY = 0.5
 """Share of the loads asked for, before which the end of a path that is lost is its own."""
 
-_Asked: TypeAlias = tuple[str, float | None, Loads, bool]
+_Asked: TypeAlias = tuple[str, float | None, Loads, bool, bool]
 
 _KNOWN: WeakKeyDictionary[SpaceJoint, dict[_Asked, tuple[float, SpaceCritical | SolveError]]]
 _KNOWN = WeakKeyDictionary()
 """Up to which share the path of loads was asked for, and what was found."""
 
 
-def critical_shares(ask: Ask, blades: Blades, *, bows: bool = True) -> Iterator[CriticalShare]:
-    """Yield what buckles it at both ends of a stroke; what is no wrench acts either way.
+def critical_shares(
+    ask: Ask, blades: Blades, *, bows: bool = True, drive_holds: bool = False
+) -> Iterator[CriticalShare]:
+    """Yield what buckles it at rest and both ends of a stroke; what is no wrench acts either way.
+
+    A drive keeps the motion of the case, and unless it ``drive_holds`` by an effort that keeps its
+    size, which is no hold: then rest is looked at besides.
 
     Loads across make blades bow from the first on, and the path passes no critical point where
     they would buckle without: the share may be as little as that of beams which stay straight,
@@ -64,15 +70,15 @@ def critical_shares(ask: Ask, blades: Blades, *, bows: bool = True) -> Iterator[
     heat = [warmed(joint.assembly, locked=scene.moves)] if layout.grows else []
     unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     most = ask.most_share
-    for travel in dict.fromkeys(scene.stroke_ends):
+    for travel in travels_of(scene, drive_holds=drive_holds):
         known = blades.errors(at_travel(ask, travel, blades, warmth=0.0))
-        beams = path_at(ask, travel, BEAMS)
+        beams = path_at(ask, travel, BEAMS, drive_holds=drive_holds)
         soft = _with_soft_blocks(layout, beams) if blades is BEAMS and known else None
         for signs in senses(scene, len(groups)):
             pattern = tuple(signed(groups, signs))
-            spoken = scene.hold
+            spoken = scene.hold if drive_holds else scene.keeps
             try:
-                found = _critical(ask, travel, blades, pattern, most)
+                found = _critical(ask, travel, blades, pattern, most, drive_holds=drive_holds)
             except SolveError as error:
                 raise NotAvailable(f"has no buckling load: {error}") from error
             share, off = found.factor, found.estimated_error + unsure
@@ -85,14 +91,14 @@ def critical_shares(ask: Ask, blades: Blades, *, bows: bool = True) -> Iterator[
             straight = share
             if bows:
                 straight = straight_critical_factor(
-                    layout, beams.held, pattern, most=share, frames=drive_frame(drive),
-                    start=beams.start,
+                    layout, beams.held, pattern, most=share, released=beams.released,
+                    frames=drive_frame(drive), start=beams.start,
                 )  # fmt: skip
             low = min(1.0, straight / share) * (1.0 - off)
             if soft is not None:
                 softest = straight_critical_factor(
-                    soft.layout, beams.held, pattern, most=share, frames=drive_frame(drive),
-                    start=soft.start,
+                    soft.layout, beams.held, pattern, most=share, released=beams.released,
+                    frames=drive_frame(drive), start=soft.start,
                 )  # fmt: skip
                 own = (1.0 - soft.off) * (1.0 - found.estimated_error - unsure)
                 low = max(low, min(1.0, softest / share) * own)
@@ -104,24 +110,28 @@ def critical_shares(ask: Ask, blades: Blades, *, bows: bool = True) -> Iterator[
             yield CriticalShare(share, spoken, error_range, there.compression)
 
 
-def _critical(ask: Ask, travel: float, blades: Blades, loads: Loads, most: float) -> SpaceCritical:
+def _critical(
+    ask: Ask, travel: float, blades: Blades, loads: Loads, most: float, *, drive_holds: bool
+) -> SpaceCritical:
     """Return where loads get a joint unstable at a travel of its drive, their path walked once.
 
     Who asks for larger loads goes on from where those that are known to be borne were.
     """
     joint = joint_of(ask)
     known = _KNOWN.setdefault(joint, {})
-    key = blades.name, travel if ask.scene.moves else None, loads, ask.near is not None
+    at = travel if ask.scene.moves else None
+    key = blades.name, at, loads, ask.near is not None, drive_holds
     before, answer = known.get(key, (0.0, None))
     found = None if answer is None else _answered(before, answer, most)
     if found is None:
         walked = answer.walked if isinstance(answer, SpaceCritical) else None
-        path, (levels, tolerance) = path_at(ask, travel, blades), blades.critical
+        path = path_at(ask, travel, blades, drive_holds=drive_holds)
+        levels, tolerance = blades.critical
         try:
             found = critical_load(
-                joint.layout, path.held, loads, most=most, frames=drive_frame(joint.layout.drive),
-                start=path.start, levels=levels, tolerance=tolerance, made=blades.made,
-                walked=walked,
+                joint.layout, path.held, loads, most=most, released=path.released,
+                frames=drive_frame(joint.layout.drive), start=path.start, levels=levels,
+                tolerance=tolerance, made=blades.made, walked=walked,
             )  # fmt: skip
         except SolveError as error:
             found = error
@@ -170,19 +180,30 @@ def _with_soft_blocks(layout: SpaceLayout, path: "_Path") -> _SoftBlocks | None:
 
 
 class _Path(NamedTuple):
-    """What the drive holds while loads grow, and where they start: rest where it holds nothing."""
+    """What the drive holds while loads grow, and where they start: rest where it holds nothing.
+
+    ``released`` are the coordinates that it keeps by an effort alone.
+    """
 
     held: Held | None
     start: SpaceEquilibrium | None
+    released: tuple[int, ...]
 
 
-def path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
-    """Return how loads grow at an end of a stroke; a guide is not among what is held."""
+def path_at(ask: Ask, travel: float, blades: Blades, *, drive_holds: bool) -> _Path:
+    """Return how loads grow at a travel of the drive; a guide is not among what is held."""
     if not ask.scene.moves:
-        return _Path(None, None)
+        return _Path(None, None, ())
     state = at_travel(ask, travel, blades, warmth=0.0)
-    own = driven_coordinate(state.layout) % 6
-    return _Path({state.layout.drive.body: [travel if i == own else None for i in range(6)]}, state)
+    driven = driven_coordinate(state.layout)
+    held = [travel if i == driven % 6 else None for i in range(6)]
+    released = () if drive_holds else (driven,)
+    return _Path({state.layout.drive.body: held}, state, released)
+
+
+def travels_of(scene: Scene, *, drive_holds: bool) -> Iterable[float]:
+    """Return the travels at which a joint is looked at: rest counts where no drive holds it."""
+    return dict.fromkeys((*scene.stroke_ends, *([] if drive_holds else [0.0])))
 
 
 def may_stand(ask: Ask, blades: Blades, loads: Loads) -> bool:
@@ -196,7 +217,7 @@ def may_stand(ask: Ask, blades: Blades, loads: Loads) -> bool:
     """
     for travel in dict.fromkeys(ask.scene.stroke_ends):
         try:
-            found = _critical(ask, travel, blades, loads, 1.0)
+            found = _critical(ask, travel, blades, loads, 1.0, drive_holds=True)
         except (NotAvailable, SolveError):
             continue
         if found.factor < 1.0 and not found.is_lost:

@@ -113,7 +113,7 @@ class Buckling(FactorRequirement):
                 required=self.factor,
                 kind=QuantityKind.BUCKLING,
                 in_capacity=True,
-                error=_with(heated, found),
+                error=_strained_by(ask, found, _with(heated, found)),
             )
 
     def _far_enough(self, ask: Ask) -> Sequence[CriticalShare]:
@@ -172,6 +172,11 @@ def _with(heated: Sequence[CriticalShare], found: CriticalShare) -> ErrorRange |
     if found.error is None or len(ends) < len(shares):
         return None
     return ErrorRange(min(ends) / found.share - 1.0, found.error.high)
+
+
+def _strained_by(ask: Ask, found: CriticalShare, error: ErrorRange | None) -> ErrorRange | None:
+    """Return the error of a share with what the strain of the blades at it leaves open."""
+    return None if error is None else strained(error, found.stress / ask.material.elastic.E)
 
 
 def borne(critical: Critical, material: Material) -> tuple[Computed, str]:

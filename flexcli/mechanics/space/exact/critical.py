@@ -227,6 +227,7 @@ def straight_critical_factor(
     pattern: Sequence[SpaceLoad],
     *,
     most: float,
+    released: Sequence[int] = (),
     frames: Mapping[str, Frame] | None = None,
     start: SpaceEquilibrium | None = None,
     close: float = NEAR_STRAIGHT,
@@ -239,7 +240,7 @@ def straight_critical_factor(
 
     Parameters
     ----------
-    layout, held, pattern, most, frames
+    layout, held, pattern, most, released, frames
         As in :func:`critical_load`.
     start : SpaceEquilibrium or None
         Beams without the pattern, as they are held.
@@ -265,7 +266,7 @@ def straight_critical_factor(
     """
     cold = replace(layout, body_growth={}, blade_growth={})
     rest = solve(cold, held, frames=frames, start=start).checked()
-    assembly, demand, free = _begun(layout, held, pattern, most, (), rest, beams_of)
+    assembly, demand, free = _begun(layout, held, pattern, most, released, rest, beams_of)
     x = rest.part.x
     rate = assembly.split(assembly.steps(x, 0.0, demand)[1]).forces
 
