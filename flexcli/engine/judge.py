@@ -66,6 +66,9 @@ WOULD_LOOK = {
 OUT_OF_PLANE = frozenset({LoadKind.WRENCH, LoadKind.ACCELERATION, LoadKind.TEMPERATURE})
 """Loads that only a model of the whole joint looks at, where they act out of its plane."""
 
+OF_PLANE = (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.SHIFT)
+"""Numbers of a joint's own that loads out of its plane leave to models of the plane."""
+
 FAR = 1.5
 """Factors over the required one beyond which a sizing asks no finer model."""
 
@@ -467,7 +470,6 @@ def _limits_of(
 def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Limit]:
     """Yield limits, each with the error of its number, and of the material's."""
     errors: dict[QuantityKind, ErrorRange | None] = {}
-    in_space = design.geometry.in_space or bool(ask.scene.across_by)
     for limit in limits:
         kind, error = limit.kind, limit.error
         if kind is None:
@@ -479,6 +481,8 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
                 errors[kind] = ask.joint_model.error(ask, kind)
             error = errors[kind]
         if error is not None:
+            beside_plane = bool(ask.scene.across_by) and not (is_at_rest and kind in OF_PLANE)
+            in_space = design.geometry.in_space or beside_plane
             doubted = partial(
                 ask.doubted, error, kind, in_space=in_space, is_directed=limit.is_directed
             )

@@ -58,3 +58,15 @@ def test_the_drive_of_hinges_keeps_its_range_beside_a_force_out_of_its_plane():
     assert pulled.factor_range[1] - pulled.factor_range[0] > (
         alone.factor_range[1] - alone.factor_range[0]
     )
+
+
+def test_a_joint_of_a_crystal_keeps_its_stiffness_beside_a_force_out_of_its_plane():
+    crystal = {"name": "silicon", "density": "2330 kg/m^3", "tensile_strength": "300 MPa",
+               "crystal": {"c11": "165.7 GPa", "c12": "63.9 GPa", "c44": "79.6 GPa"},
+               "orientation": {"wafer": "111"}}  # fmt: skip
+    asked = {"stiffness": {"min": "1 N/m"}}
+    alone, both = (
+        judged(HINGED, asked, case, material=crystal)
+        for case in ({"wrench": {"x": "1 N"}}, {"wrench": {"x": "1 N", "z": "1e-9 N"}})
+    )
+    assert both.factor_range == pytest.approx(alone.factor_range, rel=1e-9)
