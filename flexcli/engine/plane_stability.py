@@ -98,7 +98,7 @@ class PlaneStability:
         """Return what is asked, nothing where no check looks at loads in the plane alone."""
         mechanism = self.design.mechanism
         loaded = scene.is_loaded and (mechanism is None or mechanism.joints == 1)
-        pushed = requirement.looks_at(scene) & PUSHING
+        pushed = requirement.looks_at(scene) & scene.loads & PUSHING
         stressed = QuantityKind.STRESS in {check.kind for check in checks}
         by_force = requirement.is_of_buckling and scene.temperature is None
         told = scene.in_space or (by_force and scene.leaves_plane)

@@ -251,13 +251,16 @@ class _Strip:
     def share(self, force: Floats, *, clamped: bool = False) -> Floats:
         """Return the share of a force of what turns it aside at least, between ends that do not.
 
-        Both are ``clamped``, or the second is free to move out of the plane with its body.
+        Both are ``clamped``, or the second is free to move out of the plane with its body. What
+        twists a strip between clamps bends it across its thickness before, in the plane.
         """
         most = np.maximum(np.abs(force[:, 2]), np.abs(force[:, 2] + self.l * force[:, 1]))
         push = np.maximum(-force[:, 0], 0.0)
         of_moment = TURNED * most * self.l / np.sqrt(self.EI_across * self.GJ)
-        euler = EULER / 16.0 if clamped else EULER
-        aside = euler * self.l**2 / self.EI_across + self.shear
+        if clamped:
+            aside = EULER / 16.0 * self.l**2 / self.EI_across + self.shear
+            return np.asarray(push * aside + of_moment / 2.0)
+        aside = EULER * self.l**2 / self.EI_across + self.shear
         aside = np.maximum(aside, self.gyration / self.GJ)
         return np.asarray(push * aside + of_moment)
 

@@ -129,3 +129,31 @@ def test_a_hinge_buckles_beside_a_temperature_as_surely_as_its_stiffness_is_know
     cold_, warm = (checked(thick, asked, **force, **more)["buckling"] for more in ({}, NO_STRAIN))
     assert warm.factor_range[0] < cold_.factor_range[1]
     assert warm.factor_range[1] > cold_.factor_range[0]
+
+
+def test_a_temperature_that_strains_nothing_leaves_wide_blades_with_held_ends_as_they_are():
+    wide = {"kind": "leaf-spring-stage", "h": "0.1 mm", "l": "20 mm", "b": "25 mm", "blades": 2,
+            "spacing": "20 mm"}  # fmt: skip
+    force, asked = (
+        {"load": {"force": "10 N"}, "ends": "clamped-guided"},
+        {"buckling": {"factor": 4.0}},
+    )
+    alone, warm = (checked(wide, asked, **force, **more)["buckling"] for more in ({}, NO_STRAIN))
+    assert warm.verdict is alone.verdict
+    assert warm.factor == pytest.approx(alone.factor, rel=0.15)
+    # a shift looks at no force, however far it would turn its joint aside
+    moved = {"load": {"force": "500 N", "direction": "180 deg"}, "stroke": {"translation": "10 um"}}
+    shift = checked(STAGE, {"parasitic_shift": {"max": "1 um"}}, **moved)["parasitic shift (max)"]
+    assert shift.verdict.value == "pass"
+
+
+def test_blades_on_hinges_are_no_clamped_ones_beside_a_temperature():
+    # told as clamped ones they would bear four times as much
+    force, asked = (
+        {"load": {"force": "10 N"}, "ends": "pinned-pinned"},
+        {"buckling": {"factor": 9.0}},
+    )
+    alone, warm = (checked(DRIVEN, asked, **force, **more)["buckling"] for more in ({}, NO_STRAIN))
+    assert alone.verdict.value == "fail"
+    assert warm.verdict.value == "undecided"
+    assert "hinges" in warm.quantity

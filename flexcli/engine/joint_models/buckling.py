@@ -7,6 +7,7 @@ from math import cos, inf, isfinite, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.holds import hold_of
 from flexcli.engine.joint_models.joint_states import blades_of, layout_of, paths, turned
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.errors import SolveError
@@ -139,6 +140,8 @@ def warm_shares(
     They are those of rest and both ends of its stroke, which a drive keeps by an effort, and of
     each sense that the loads may have; what the ends of the case hold is held.
     """
+    if hold_of(ask.scene).hinged:
+        raise NotAvailable("has no critical share beside a temperature of blades on hinges")
     wide, spoken = sum(critical_unsure(ask)), ask.scene.keeps
     for layout, held, driven, loads in paths(ask):
         try:
