@@ -154,7 +154,7 @@ class Dynamic(FactorRequirement):
                 name: (sigma * one.rms, between(one.rms, [one.rms, one.least, one.most]))
                 for name, one in outputs.items()
             }
-            rest = _rest(ask, found, ranges, lambda _structure: {}, prefix, bearable)
+            rest = _rest(ask, found, ranges, peaks, prefix, bearable)
             for name, (value, off) in ranges.items():
                 if not name.startswith(prefix):
                     continue

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
+from flexcli.mechanics.stress_places import SAMPLED, is_uneven
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.mechanisms import MechanismError
@@ -73,6 +74,22 @@ class Uncertain:
             for name, value in found.items()
         }
 
+    def beside_beams(self, answer: Answer) -> ErrorRange:
+        """Return the error of the stress of hinges by what forces across them do beside beams."""
+        off = 0.0
+        for each in (self.structure, *(self.others or ())):
+            if not each.unsure:
+                continue
+            names = {f"unsure {k} {joint}": rows for (joint, k), rows in each.unsure.items()}
+            doubts = answer(replace(each, outputs=names))
+            stress, whole = answer(each), dict[str, float]()
+            for joint, k in each.unsure:
+                whole[joint] = whole.get(joint, 0.0) + doubts[f"unsure {k} {joint}"]
+            for joint, doubt in whole.items():
+                if doubt > 0.0:
+                    off = max(off, doubt / stress[f"stress {joint}"])
+        return ErrorRange(-min(off, 1.0), off)
+
     def opened(self, error: ErrorRange | None) -> ErrorRange | None:
         """Return the error of a peak, which without a bound has none from above."""
         return error if error is None or self.is_bounded else error._replace(high=inf)
@@ -92,7 +109,7 @@ class Uncertain:
         peak *= reached
         scene = ask.scene.without_loads()._replace(travel=peak * ratio, mean_travel=0.0, middle=0.0)
         held = ask._replace(scene=scene)
-        shapes = self.shape_error(answer, reached)
+        shapes = compounded(self.shape_error(answer, reached), self.beside_beams(answer))
         error = compounded(ask.joint_model.error(held, QuantityKind.STRESS), shapes)
         if error is None or structure.motion is None or peak == 0.0:
             return error
@@ -224,7 +241,9 @@ def uncertain_structure(
         chosen = {*np.linspace(low, high, STEPS).tolist(), *onto[:: 1 + len(onto) // MOST_FACTORS]}
         others += [base.stiffened(each) for each in sorted(chosen)]
     stiffer = (low / factor, high / factor) if len(bases) == 1 and stressed == 0.0 else None
-    more = ErrorRange(0.0, stressed or 0.0)
+    blades = geometry.blades_layout(elastic, sizes).blades
+    uneven = any(is_uneven(blade) for blade in blades)
+    more = ErrorRange(0.0, (1.0 + (stressed or 0.0)) * (1.0 + SAMPLED * uneven) - 1.0)
     return Uncertain(structure, tuple(others), lambda *_: more, stiffer, stressed is not None)
 
 
