@@ -1,12 +1,13 @@
 """Stress along every blade at both faces, by bending alone and with the axial force."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas import fillet, notch
-from flexcli.formulas.profile import Filleted, Notch
+from flexcli.formulas.profile import Filleted, Notch, Piece
 from flexcli.mechanics.layout import Blade
 from flexcli.mechanics.mesh import Segment, column, pick
 from flexcli.mechanics.section_forces import flexible_pieces, section_forces
@@ -75,8 +76,14 @@ class Peak(NamedTuple):
     total_at: Floats
 
 
-def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> BladeStress:
-    """Return the stress along a blade, at ``points`` places on each of its flexible pieces.
+def blade_stress(
+    state: Equilibrium,
+    blade: str,
+    points: int = _POINTS,
+    *,
+    places: Callable[[Piece], Floats] | None = None,
+) -> BladeStress:
+    """Return the stress along a blade, at places on each of its flexible pieces.
 
     ``σ = N/(b h) ± 6M/(b h²)``, elastic, each times the factor by which the blade's shape raises
     it (``Blade.peak``).
@@ -89,6 +96,8 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
         Name of the blade.
     points : int
         Places on each piece, its ends among them.
+    places : callable, optional
+        Function that gives the places of a piece instead, from −1 to 1, all designs alike.
 
     Returns
     -------
@@ -97,10 +106,13 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
 
     """
     index = [b.name for b in state.layout.blades].index(blade)
-    values, u = [], np.linspace(-1.0, 1.0, points)[None]
+    values, evenly = [], np.linspace(-1.0, 1.0, points)
     for part in state.parts:
         found = [
-            _stress(state, part, index, segment, u) for segment in flexible_pieces(part, index)
+            _stress(state, part, index, segment, u[None])
+            for segment in flexible_pieces(part, index)
+            if segment.piece is not None
+            for u in [evenly if places is None else places(segment.piece)]
         ]
         values.append(np.concatenate(found, axis=-1))
     return BladeStress(*np.moveaxis(state.scatter(values), 1, 0))

@@ -226,18 +226,20 @@ def assemble(
 def bending_rows(
     blades: Iterable[tuple[Blade, Floats, Floats, Floats]],
 ) -> tuple[Floats, list[Floats]]:
-    """Return rows of the bending stress of blades, with what no beam has of that, and its doubt.
+    """Return rows of the bending stress of blades with what no beam has of it, and its doubts.
 
-    Each has its places, its thickness there [m], and the rows of its beam.
+    Each has its places, its thickness there [m], and the rows of its beam. The rows of a doubt are
+    at the same places, nothing of blades that have none.
     """
-    found, doubts = list[Floats](), list[list[Floats]]()
-    for blade, s, h, bending in blades:
-        added, unsure = beside_beam_rows(blade, s, h, bending)
-        found.append(bending + added)
-        doubts.append(list(unsure))
-    kinds = max(map(len, doubts), default=0)
-    each = ([doubt[k] for doubt in doubts if k < len(doubt)] for k in range(kinds))
-    return np.concatenate(found), [np.concatenate(rows) for rows in each]
+    each = [(bending, *beside_beam_rows(blade, s, h, bending)) for blade, s, h, bending in blades]
+    kinds = max((len(unsure) for *_, unsure in each), default=0)
+    doubts = [
+        np.concatenate([
+            unsure[k] if k < len(unsure) else np.zeros_like(bending) for bending, _, unsure in each
+        ])
+        for k in range(kinds)
+    ]  # fmt: skip
+    return np.concatenate([bending + added for bending, added, _ in each]), doubts
 
 
 def on_joints(bodies: Sequence[Body], joints: Sequence[PlacedJoint], joint: Layout) -> Layout:

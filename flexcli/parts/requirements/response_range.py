@@ -211,12 +211,11 @@ def uncertain_structure(
     bases = [plain] if heavy is None else [plain, heavy]
     stressed: float | None = 0.0
     if not stands_in and _stands_bent(ask):
-        from flexcli.parts.modes_at_stroke import structures_at_stroke
+        from flexcli.parts.modes_at_stroke import structures_at_stroke, unlike_beams
         from flexcli.parts.requirements.pushed_by_peaks import bent_by_stroke
 
         at_ends = structures_at_stroke(ask, bases)
-        if at_ends is None:
-            stressed = bent_by_stroke(ask)
+        stressed = bent_by_stroke(ask) if at_ends is None else unlike_beams(ask)
         # on its way it is between both ends and rest
         bases = [*(at_ends or ()), *bases]
     structure = bases[0].stiffened(factor)
