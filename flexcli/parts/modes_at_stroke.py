@@ -15,7 +15,7 @@ from flexcli.errors import SolveError
 from flexcli.formulas.profile import Piece
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.lateral_bound import least_thickness
-from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.layout import Blade, Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stress_places import stress_places
@@ -23,8 +23,10 @@ from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.loads_in_plane import loads_in_plane, senses_in_plane
 from flexcli.parts.mechanisms.carried import is_guided
 from flexcli.parts.requirements.ask import Ask
+from flexcli.parts.scene import Scene
 from flexcli.parts.structure import Structure, bending_rows, turned
 
 __all__ = ["structures_at_stroke", "unlike_beams"]
@@ -35,6 +37,10 @@ STEP = 0.03
 """Steps of the differences over h²/l, and over (h/l)² of a rotation: a 25th of what buckles a blade
 that is pushed by as much. Half of them changed a stiffness by 2e-6 at most, and at rest it was 2e-7
 from the blades' own."""
+
+SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
+"""Of the way to an end of a stroke: modes move on it, and one that meets a frequency between two of
+them is put onto it."""
 
 BENT = np.linspace(-1.0, 1.0, 9)
 """Places along a uniform piece: the moment of a force along it follows how it is bent, and may be
@@ -57,34 +63,76 @@ class _Bent(NamedTuple):
     unsure: list[Floats]
 
 
-def structures_at_stroke(ask: Ask, structures: Sequence[Structure]) -> tuple[Structure, ...] | None:
-    """Return structures of the same joint, each about both ends of the stroke of its case.
+def structures_at_stroke(
+    ask: Ask, structures: Sequence[Structure]
+) -> tuple[tuple[Structure, ...], ...] | None:
+    """Return structures of the same joint on their ways to the ends of the stroke of its case.
 
-    ``structures`` are those of small motion from rest. Coordinates of bodies are along their own
-    axes, which turn with them. Nothing where no exact beams tell it: of several joints, on springs,
-    beside loads, or where nothing holds the body at its stroke.
+    Of each structure, for each end and each sense in which static loads act: about the middle, and
+    about :data:`SHARES` of the way to the end, under the loads. ``structures`` are those of small
+    motion from rest without load. Coordinates of bodies are along their own axes, which turn with
+    them. Nothing where no exact beams tell it: of several joints, on springs, beside loads out of
+    the plane, or where the joint does not stay with its drive free.
     """
     scene, geometry = ask.scene.standing, ask.geometry
     assert scene is not None  # there is a stroke
     layout = geometry.blades_layout(ask.material.elastic, ask.sizes)
-    alone = len(structures[0].joint_motions) == 1
-    if not alone or scene.is_loaded or scene.temperature is not None or layout.supports:
+    if len(structures[0].joint_motions) > 1 or layout.supports or not _is_told(ask, scene):
         return None
-    travels = np.array([0.0, *map(float, scene.stroke_ends)])
+    ends, signs = tuple(dict.fromkeys(map(float, scene.stroke_ends))), senses_in_plane(scene)
+    groups, moves = signs.shape[1], 6 * len(layout.bodies)
+    # rest without loads, then the ways under each combination of their senses
+    travels = np.concatenate([[0.0], np.tile(np.outer(ends, SHARES).ravel(), len(signs))])
+    senses = np.concatenate([
+        np.zeros((1, groups)), np.repeat(signs, len(ends) * len(SHARES), axis=0)
+    ])  # fmt: skip
     try:
-        stands = _standing(ask, layout, np.repeat(travels, 6 * len(layout.bodies)))
+        stands = _standing(ask, scene, layout, np.repeat(travels, moves), senses, moves)
         if stands.unstable.any():
             return None
-        places = stands.motions[:: 6 * len(layout.bodies)]
-        rest, *bent = _slopes(layout, stands, places)
+        loads = _loads(ask, scene, layout, np.repeat(senses, moves, axis=0))
+        places = stands.motions[::moves]
+        rest, *bent = _slopes(layout, stands, places, loads)
     except SolveError:
         return None
-    found = tuple(
-        _about(structure, layout, geometry.axes, rest, there, at)
+    found = [
+        [
+            _about(structure, layout, geometry.axes, rest, there, at)
+            for there, at in zip(bent, places[1:], strict=True)
+        ]
         for structure in structures
-        for there, at in zip(bent, places[1:], strict=True)
+    ]
+    if not all(map(_is_stable, (each for one in found for each in one))):
+        return None
+    return tuple(
+        tuple(one[k : k + len(SHARES)]) for one in found for k in range(0, len(one), len(SHARES))
     )
-    return found if all(map(_is_stable, found)) else None
+
+
+def _is_told(ask: Ask, scene: Scene) -> bool:
+    """Return whether what stands beside a vibration acts in the plane, and where it is known.
+
+    A weight acts at the centre of mass of what is carried, which swings on the body's point where
+    it is off that.
+    """
+    if scene.temperature is not None or scene.in_space:
+        return False
+    off = any(wrench[i] for wrench in (scene.stated, *scene.inertial) for i in scene.across)
+    if off or any(field[2] for field in scene.accelerations):
+        return False
+    weighs = any(map(any, scene.inertial))
+    moving = ask.geometry.blades_layout(ask.material.elastic, ask.sizes).body(MOVING)
+    hangs = ask.mechanism is not None and (
+        ask.mechanism.arm != 0.0 or ask.geometry.payload_point(moving.point) != moving.point
+    )
+    return not (weighs and hangs)
+
+
+def _loads(ask: Ask, scene: Scene, layout: Layout, senses: Floats) -> list[Load]:
+    """Return what acts on the bodies of a joint, with its senses (states, groups)."""
+    density = ask.material.density
+    weight = 0.0 if density is None else density.value
+    return loads_in_plane(scene, layout, weight, senses, 0.0)
 
 
 def unlike_beams(ask: Ask) -> float | None:
@@ -102,14 +150,31 @@ def unlike_beams(ask: Ask) -> float | None:
     return max(abs(share - 1.0) for share in shares)
 
 
-def _standing(ask: Ask, layout: Layout, travels: Floats) -> Equilibrium:
-    """Return the joint at travels of its drive, all else free but for a guide."""
-    x, y, turn = (
-        None if each is None else each * travels for each in ask.geometry.held(1.0)
-    )  # fmt: skip
+def _standing(
+    ask: Ask, scene: Scene, layout: Layout, travels: Floats, senses: Floats, times: int
+) -> Equilibrium:
+    """Return the joint at travels of its drive under loads, all else free but for a guide.
+
+    Travels are from where loads leave the joint, whose senses (states, groups) are each for so many
+    ``times`` of them.
+    """
+    x, y, turn = ask.geometry.held(1.0)
+    guided = 0.0 if is_guided(ask.geometry) else turn
+    drive = 1 if y is not None else 2
+    loads = _loads(ask, scene, layout, senses)
+    if loads:
+        left = solve(
+            layout, {MOVING: (None, None, guided if drive == 1 else None)},
+            loads=loads, effects=UNSHEARED,
+        ).checked()  # fmt: skip
+        travels = travels + np.repeat(left.motions[:, layout.index(MOVING), drive], times)
+    held = [None if each is None else each * travels for each in (x, y, turn)]
     if is_guided(ask.geometry):
-        turn = 0.0 * travels
-    return solve(layout, {MOVING: (x, y, turn)}, effects=UNSHEARED).checked()
+        held[2] = 0.0 * travels
+    loads = _loads(ask, scene, layout, np.repeat(senses, times, axis=0))
+    return solve(
+        layout, {MOVING: (held[0], held[1], held[2])}, loads=loads, effects=UNSHEARED
+    ).checked()
 
 
 def _is_stable(structure: Structure) -> bool:
@@ -121,20 +186,22 @@ def _is_stable(structure: Structure) -> bool:
     return True
 
 
-def _slopes(layout: Layout, stands: Equilibrium, places: Floats) -> Iterator[_Bent]:
+def _slopes(
+    layout: Layout, stands: Equilibrium, places: Floats, loads: Sequence[Load] = ()
+) -> Iterator[_Bent]:
     """Yield what moves of the bodies from each of their places change, stresses by differences.
 
-    ``stands`` are the equilibria there, ``places`` (states, bodies, 3), each as often as there are
-    moves. Stresses are in the order of the outputs of a structure. The stiffness is the mean of the
-    tangents on either side: that of the joint's own motion is a small part of its blades', and
-    differences leave of it 1e-3.
+    ``stands`` are the equilibria there under loads, ``places`` (states, bodies, 3), each as often
+    as there are moves. Stresses are in the order of the outputs of a structure. The stiffness is
+    the mean of the tangents on either side: that of the joint's own motion is a small part of its
+    blades', and differences leave of it 1e-3.
     """
     bodies, steps = len(layout.bodies), _steps(layout)
     moves = np.concatenate([np.diag(steps), -np.diag(steps)])
     at = places.reshape(len(places), 1, 3 * bodies) + moves
     each = at.reshape(-1, bodies, 3)
     held = {body.name: tuple(each[:, i].T) for i, body in enumerate(layout.bodies)}
-    found = solve(layout, held, effects=UNSHEARED, start=stands).checked()
+    found = solve(layout, held, loads=loads, effects=UNSHEARED, start=stands).checked()
     holding = held_stiffness(found)
     stresses = [blade_stress(found, blade.name, places=_places) for blade in layout.blades]
     for first in range(0, len(each), len(moves)):

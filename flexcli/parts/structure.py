@@ -7,7 +7,7 @@ of one joint put together, and reduced to matrices.
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import cos, sin
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -110,6 +110,21 @@ class Structure:
                 outputs[name] = rows if name in MOTIONS else (1.0 - lost) * rows
         wrenches = {name: (1.0 - lost) * rows for name, rows in self.wrenches.items()}
         return replace(self, stiffness=stiffness, outputs=outputs, wrenches=wrenches)
+
+    def mixed(self, other: "Structure", share: float) -> "Structure":
+        """Return the structure between this one and another with the same rows and mass."""
+
+        def between(one: Mapping[Any, Floats], two: Mapping[Any, Floats]) -> dict[Any, Floats]:
+            return {key: (1.0 - share) * one[key] + share * two[key] for key in one}
+
+        return replace(
+            self,
+            stiffness=(1.0 - share) * self.stiffness + share * other.stiffness,
+            pull=between(self.pull, other.pull),
+            outputs=between(self.outputs, other.outputs),
+            wrenches=between(self.wrenches, other.wrenches),
+            unsure=between(self.unsure, other.unsure),
+        )
 
     def without_motion(self) -> "Structure":
         """Return the structure without a driven motion, as where it is locked."""

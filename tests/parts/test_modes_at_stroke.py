@@ -5,6 +5,7 @@ import pytest
 import yaml
 
 import flexcli
+from flexcli.engine.joint_models.joint_states import exactly, of_case
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.layout import Load
@@ -13,6 +14,7 @@ from flexcli.numerics.modes import natural_modes
 from flexcli.parts import modes_at_stroke
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.loads_in_plane import loads_in_plane
 from flexcli.parts.mechanisms.carried import is_guided
 from flexcli.parts.modes_at_stroke import structures_at_stroke
 from flexcli.parts.own_motion import structure_of
@@ -80,8 +82,9 @@ def shaken(stroke, frequency, axis="y", level="0.01 g"):
     return {**({"stroke": stroke} if stroke else {}), "sine": sine, "q": 50}
 
 
-def ask_of(geometry, stroke):
-    found = DesignSpec.model_validate(spec(geometry, shaken(stroke, 50), {"dynamic-yield": 1}))
+def ask_of(geometry, stroke, **beside):
+    case = {**shaken(stroke, 50), **beside}
+    found = DesignSpec.model_validate(spec(geometry, case, {"dynamic-yield": 1}))
     sizes, scene = found.fixed_sizes(), found.scene("a")
     return Ask(found.material, found.geometry, found.mechanism, sizes, scene, AsPrinted())
 
@@ -90,7 +93,7 @@ def structures(geometry, stroke):
     """Return the structure at rest, and about both ends of a stroke."""
     ask = ask_of(geometry, stroke)
     rest = structure_of(ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes)
-    return rest, structures_at_stroke(ask, [rest])
+    return rest, tuple(way[-1] for way in structures_at_stroke(ask, [rest]))
 
 
 def along(geometry, size):
@@ -190,57 +193,70 @@ def test_a_stroke_of_nothing_leaves_the_structure(geometry):
             assert np.abs(end.outputs[name]).max() == pytest.approx(np.abs(rows).max(), rel=1e-4)
 
 
+WEIGHT = {"load": {"force": "0.01 N", "direction": "50 deg"}}
+
+
 @pytest.mark.parametrize("geometry", EVERY)
-@pytest.mark.parametrize("sense", [1.0, -1.0])
-def test_small_loads_about_a_stroke_stress_blades_as_exact_equilibria_say(geometry, sense):
+@pytest.mark.parametrize("loaded", [{}, WEIGHT], ids=["alone", "beside a load"])
+def test_small_loads_about_a_stroke_stress_blades_as_exact_equilibria_say(geometry, loaded):
     """Loads on every body, the drive locked: differences of equilibria, which hold no body."""
-    ask = ask_of(geometry, along(geometry, 0.02))
+    ask = ask_of(geometry, along(geometry, 0.02), **loaded)
     rest = structure_of(ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes)
-    end = structures_at_stroke(ask, [rest])[0 if sense > 0.0 else 1]
-    layout = ask.geometry.blades_layout(ask.material.elastic, ask.sizes)
-    travel = ask.scene.standing.stroke_ends[0 if sense > 0.0 else 1]
-    drive = [None if each is None else each * travel for each in ask.geometry.held(1.0)]
-    drive[2] = 0.0 if is_guided(ask.geometry) else drive[2]
+    ends = [way[-1] for way in structures_at_stroke(ask, [rest])]
+    layout, scene = ask.geometry.blades_layout(ask.material.elastic, ask.sizes), ask.scene.standing
     how = {"effects": modes_at_stroke.UNSHEARED}
-    stands = solve(layout, {MOVING: tuple(drive)}, **how).checked()
-    ((blade, *_),) = (layout.blades,)
+    stands = of_case(ask._replace(scene=scene), exactly(how["effects"], 1e-9))
+    assert stands.designs == len(ends) == 2
+    acting = loads_in_plane(scene, layout, 0.0, np.ones((2, 1)), 0.0)
+    assert bool(acting) == bool(loaded)
+    axis = 2 if ask.geometry.motion == "rotation" else 1
+    drive = [None, None, 0.0 if is_guided(ask.geometry) else None]
+    drive[axis] = stands.motions[:, layout.index(MOVING), axis]
+    blade = layout.blades[0]
     l = np.hypot(*np.subtract(blade.end, blade.start))
     size = 1e-4 * layout.E * blade.b * float(least_thickness(blade)) ** 3 / l**2
-    axis = 2 if ask.geometry.motion == "rotation" else 1
-    at = {body.name: stands.motions[0, k] for k, body in enumerate(layout.bodies)}
 
-    def to_own(turn):
-        c, s = np.cos(turn), np.sin(turn)
-        return np.array([[c, s], [-s, c]])
+    def stresses(body, force):
+        load = Load(body.name, body.point, (float(force[0]), float(force[1])))
+        return [
+            blade_stress(found, each.name, places=modes_at_stroke._places)
+            for found in [
+                solve(layout, {MOVING: tuple(drive)}, loads=[*acting, load], start=stands, **how)
+            ]
+            for each in layout.blades
+            if found.checked()
+        ]
 
-    rows = in_layout(end, MOVING, ask.geometry.axes)
-    locked = rows[2] if axis == 2 else to_own(at[MOVING][2])[:, 1] @ rows[:2]
-    compliance = held(end, locked)
     for body in layout.bodies:
-        own = in_layout(end, body.name, ask.geometry.axes)[:2]
-        for force in np.eye(2):
-            loads = [[Load(body.name, body.point, tuple(s * size * force))] for s in (1.0, -1.0)]
-            plus, minus = (
-                solve(layout, {MOVING: tuple(drive)}, loads=each, start=stands, **how).checked()
-                for each in loads
-            )
+        for force in size * np.eye(2):
+            if axis == 1 and body.name == MOVING and force[1]:
+                continue  # the drive bears it
             true = []
-            for each in layout.blades:
-                one, other = (
-                    blade_stress(state, each.name, places=modes_at_stroke._places)
-                    for state in (plus, minus)
-                )
+            pairs = zip(layout.blades, stresses(body, force), stresses(body, -force), strict=True)
+            for each, one, other in pairs:
                 half = one._replace(
                     bending=(one.bending - other.bending) / 2.0, axial=(one.axial - other.axial) / 2
                 )
                 more = beside_beam(each, half)
                 added = 0.0 if more is None else more[0]
-                true.append((half.axial + half.bending + added)[0])
-            moved = compliance @ own.T @ to_own(at[body.name][2]) @ (size * force)
-            told, true = end.outputs["stress joint"] @ moved, np.concatenate(true)
-            along_drive = axis == 1 and body.name == MOVING and force[1] == 1.0
-            if not along_drive:  # which bears it
-                assert np.abs(told[: true.size] - true).max() < 3e-4 * np.abs(true).max()
+                true.append(half.axial + half.bending + added)
+            true = np.concatenate(true, axis=1)
+            for k, end in enumerate(ends):
+                turn = {
+                    b.name: to_own(stands.motions[k, i, 2]) for i, b in enumerate(layout.bodies)
+                }
+                of_drive = in_layout(end, MOVING, ask.geometry.axes)
+                locked = of_drive[2] if axis == 2 else turn[MOVING][:, 1] @ of_drive[:2]
+                own = in_layout(end, body.name, ask.geometry.axes)[:2]
+                moved = held(end, locked) @ own.T @ turn[body.name] @ force
+                told = (end.outputs["stress joint"] @ moved)[: true.shape[1]]
+                assert np.abs(told - true[k]).max() < 5e-4 * np.abs(true[k]).max()
+
+
+def to_own(turn):
+    """Return what takes a vector along the layout's axes to those of a body that is turned."""
+    c, s = np.cos(turn), np.sin(turn)
+    return np.array([[c, s], [-s, c]])
 
 
 @pytest.mark.parametrize(
@@ -280,6 +296,41 @@ def test_a_response_at_a_stroke_has_both_its_ends_and_rest_in_its_range():
     still = check(STAGE, {"stroke": {"translation": "1 mm"}}, {"yield": 1e-3})
     assert low <= 880e6 / found.demand <= high
     assert low <= 880e6 / (still.demand + alone.demand) <= high * (1.0 + 1e-6)
+
+
+def test_a_load_along_its_blades_changes_the_stiffness_of_a_stage_at_a_stroke():
+    """By 6 F/(5 l): Awtar, Slocum & Sevincer (2007); a wrench acts in either sense."""
+    force = 2e-3
+    ask = ask_of(STAGE, {"translation": f"{H} m"}, wrench={"y": f"{force} N"})
+    rest = structure_of(ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes)
+    ways = structures_at_stroke(ask, [rest])
+    assert len(ways) == 4
+    for way in ways:
+        k = sorted({round(each.motion_stiffness - rest.motion_stiffness, 9) for each in way})
+        assert abs(k[0]) == pytest.approx(6.0 * force / (5.0 * L), rel=5e-3)
+        assert k[-1] - k[0] < 5e-3 * abs(k[0])
+    senses = {way[-1].motion_stiffness > rest.motion_stiffness for way in ways}
+    assert senses == {True, False}
+
+
+def test_a_sine_that_a_mode_meets_on_the_way_to_the_end_of_a_stroke_is_at_resonance():
+    """A mode at 850 Hz at rest, at 303 Hz at the end of the stroke."""
+    rest, ends = structures(STAGE, {"translation": "2 mm"})
+    before, after = frequencies(rest)[1], frequencies(ends[0])[1]
+    frequency = 500.0
+    assert after < frequency < before
+    met = ((before / frequency) ** 2 - 1.0) ** 0.5 * (700.0 / 12.0) ** 0.5 * H
+    one, whole = (
+        check(STAGE, shaken({"translation": f"{x} m"}, frequency, level="1e-4 g"),
+              {"dynamic-yield": 1e-3}) for x in (met, 2e-3)
+    )  # fmt: skip
+    still, far = (
+        check(STAGE, {"stroke": {"translation": f"{x} m"}}, {"yield": 1e-3}).demand
+        for x in (met, 2e-3)
+    )
+    peak = one.demand - still
+    assert peak > 20.0 * (whole.demand - far)
+    assert 880e6 / whole.factor_range[0] - far > 0.8 * peak
 
 
 def test_no_response_passes_beside_a_stroke_of_which_no_model_has_the_modes():

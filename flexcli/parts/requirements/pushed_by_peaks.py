@@ -5,11 +5,12 @@ and one of what would buckle the joint if it stood has no linear response. Blade
 way along themselves, and a force along them bends them further.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import pi
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.states import Acting
@@ -35,6 +36,8 @@ __all__ = [
     "pushed_share",
 ]
 
+Floats = NDArray[np.float64]
+
 NEGLIGIBLE = 1e-6
 """Part of the stress of a peak that is along blades up to which nothing pushes them."""
 
@@ -47,18 +50,23 @@ ALONE = 4.0
 """Times the load of a blade between guided ends that one bears whose body nothing else holds."""
 
 
-def pushed_by_peaks(ask: Ask, structure: Structure, answer: Answer) -> ErrorRange | None:
+def pushed_by_peaks(
+    ask: Ask, structure: Structure, answer: Answer, others: Sequence[Structure] = ()
+) -> ErrorRange | None:
     """Return by what share the peaks of a response change stiffnesses at most, as static loads.
 
-    Nothing where it is not small. ``answer`` gives the peaks of a structure's outputs.
+    Nothing where it is not small. ``answer`` gives the peaks of a structure's outputs, those of
+    ``others`` that it may be count where they are larger.
     """
-    share = pushed_share(ask, structure, answer)
+    share = pushed_share(ask, structure, answer, others)
     if share == 0.0:
         return EXACT
     return None if share is None or share > KNOWN else ErrorRange(-share, share)
 
 
-def pushed_share(ask: Ask, structure: Structure, answer: Answer) -> float | None:
+def pushed_share(
+    ask: Ask, structure: Structure, answer: Answer, others: Sequence[Structure] = ()
+) -> float | None:
     """Return what the peaks of a response are of what buckles the joint, as static loads [-].
 
     Each component of the wrench on a joint counts by its peak, in either sense, in the plane and
@@ -68,17 +76,14 @@ def pushed_share(ask: Ask, structure: Structure, answer: Answer) -> float | None
     """
     if not structure.wrenches:
         return axial_share(ask, structure, answer)
-    if not _pushes(answer(structure)):
+    every = [each for each in (structure, *others) if _pushes(answer(each))]
+    if not every:
         return 0.0
     joint = _joint(ask)
     if joint is None:
         return axial_share(ask, structure, answer)
-    rows = {
-        f"{name} {k}": row[None]
-        for name, wrench in structure.wrenches.items()
-        for k, row in enumerate(wrench)
-    }
-    peaks = answer(replace(structure, outputs=rows))
+    each_peak = [answer(replace(each, outputs=_wrench_rows(each))) for each in every]
+    peaks = {name: max(one[name] for one in each_peak) for name in each_peak[0]}
     point, alone = joint.layout.body(joint.layout.drive.body).point, ask.scene.without_loads()
     shares = list[float]()
     for name in structure.wrenches:
@@ -88,6 +93,15 @@ def pushed_share(ask: Ask, structure: Structure, answer: Answer) -> float | None
         ]
         shares += shares_beside(joint, alone, groups, driven=True)
     return max(shares)
+
+
+def _wrench_rows(structure: Structure) -> dict[str, Floats]:
+    """Return the rows of each component of the wrenches of a structure, by joint and number."""
+    return {
+        f"{name} {k}": row[None]
+        for name, wrench in structure.wrenches.items()
+        for k, row in enumerate(wrench)
+    }
 
 
 def bent_by_motion(ask: Ask, structure: Structure, answer: Answer) -> BentBeside | None:

@@ -1,6 +1,6 @@
 """The response of a structure over the range of its uncertain stiffness and masses."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, pi
@@ -38,6 +38,9 @@ SOFTENED = 12
 TINY = 1e-3
 """Share by which they do that no response notices."""
 
+HALVED = 16
+"""Times that the stroke is halved at which a mode meets a frequency: its resonance is wider."""
+
 MOST_MODES = 8
 """Lowest modes that are moved onto each such frequency."""
 
@@ -62,6 +65,8 @@ class Uncertain:
     is_bounded: bool = True
     """Whether its response is linear: else its own peaks push blades so far that it may be any
     larger."""
+    on_way: tuple[Structure, ...] = ()
+    """Those of the others that a stroke passes on its way, resonances among them."""
 
     def of(self, answer: Answer) -> dict[str, tuple[float, ErrorRange | None]]:
         """Return each number of a response with the range of its error over all structures."""
@@ -139,7 +144,7 @@ def pushed(ask: Ask, found: Uncertain, answer: Answer, frequencies: tuple[float,
 
     if found.others is None:
         return found
-    changed = beside.pushed_by_peaks(ask, found.structure, answer)
+    changed = beside.pushed_by_peaks(ask, found.structure, answer, found.on_way)
     bent = beside.bent_by_motion(ask, found.structure, answer)
     if changed is None or bent is None:
         return replace(found, stiffer=None, is_bounded=False)
@@ -210,20 +215,20 @@ def uncertain_structure(
     factor = 1.0 if stands_in else float(ask.joint_model.stiffness(ask)) / joint
     bases = [plain] if heavy is None else [plain, heavy]
     stressed: float | None = 0.0
-    if not stands_in and _stands_bent(ask):
+    on_way = list[Structure]()
+    beside = _stiffened_by_loads(ask)
+    if not stands_in and beside is not None and _stands_bent(ask):
         from flexcli.parts.modes_at_stroke import structures_at_stroke, unlike_beams
         from flexcli.parts.requirements.pushed_by_peaks import bent_by_stroke
 
-        at_ends = structures_at_stroke(ask, bases)
-        stressed = bent_by_stroke(ask) if at_ends is None else unlike_beams(ask)
-        # on its way it is between both ends and rest
-        bases = [*(at_ends or ()), *bases]
+        ways = structures_at_stroke(ask, bases)
+        stressed = bent_by_stroke(ask) if ways is None else unlike_beams(ask)
+        if ways is not None:
+            on_way = [each.stiffened(factor) for each in _on_their_ways(ways, frequencies, factor)]
+            bases = [*(way[-1] for way in ways), *bases]
     structure = bases[0].stiffened(factor)
     off = ask.joint_model.error(ask, QuantityKind.STIFFNESS)
-    if off is None or geometry.has_limbs(elastic, sizes):
-        return Uncertain(structure, None)
-    beside = _stiffened_by_loads(ask)
-    if beside is None:
+    if off is None or beside is None or geometry.has_limbs(elastic, sizes):
         return Uncertain(structure, None)
     ends = [factor * (1.0 + a) * (1.0 + b) for a, b in zip(off, beside, strict=True)]
     if _leaves_its_motion(ask):
@@ -234,7 +239,7 @@ def uncertain_structure(
     high = max(ends) * (1.0 + changed.high)
     if low <= 0.0 or high == inf:
         return Uncertain(structure, None)
-    others = []
+    others = list(on_way)
     for base in bases:
         onto = sorted(set(_onto(base, frequencies, low, high)))
         chosen = {*np.linspace(low, high, STEPS).tolist(), *onto[:: 1 + len(onto) // MOST_FACTORS]}
@@ -243,7 +248,43 @@ def uncertain_structure(
     blades = geometry.blades_layout(elastic, sizes).blades
     uneven = any(is_uneven(blade) for blade in blades)
     more = ErrorRange(0.0, (1.0 + (stressed or 0.0)) * (1.0 + SAMPLED * uneven) - 1.0)
-    return Uncertain(structure, tuple(others), lambda *_: more, stiffer, stressed is not None)
+    return Uncertain(
+        structure, tuple(others), lambda *_: more, stiffer, stressed is not None, tuple(on_way)
+    )
+
+
+def _on_their_ways(
+    ways: Sequence[Sequence[Structure]], frequencies: tuple[float, ...], factor: float
+) -> Iterator[Structure]:
+    """Yield structures on the ways of a stroke to its ends, and those whose modes meet frequencies.
+
+    Their stiffness is so many times as large by a ``factor``, without which they are given.
+    """
+    met = list[tuple[Structure, Structure, int, float]]()
+    for way in ways:
+        yield from way[:-1]
+        modes = [_frequencies(each, factor) for each in way]
+        for k in range(len(way) - 1):
+            for mode, both in enumerate(zip(modes[k], modes[k + 1], strict=False)):
+                met += [
+                    (way[k], way[k + 1], mode, frequency)
+                    for frequency in frequencies
+                    if min(both) < frequency < max(both)
+                ]
+    for one, other, mode, frequency in met[:: 1 + len(met) // MOST_FACTORS]:
+        rises = _frequencies(one, factor)[mode] < frequency
+        low, high = 0.0, 1.0
+        for _ in range(HALVED):
+            share = (low + high) / 2.0
+            before = (_frequencies(one.mixed(other, share), factor)[mode] < frequency) == rises
+            low, high = (share, high) if before else (low, share)
+        yield one.mixed(other, (low + high) / 2.0)
+
+
+def _frequencies(structure: Structure, factor: float) -> Floats:
+    """Return the lowest frequencies of a structure of so many times its stiffness [Hz]."""
+    modes = natural_modes(factor * structure.stiffness, structure.mass)
+    return modes.angular[:MOST_MODES] / (2.0 * pi)
 
 
 def _in_space(ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange) -> Uncertain:
