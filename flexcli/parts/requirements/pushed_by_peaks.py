@@ -76,13 +76,15 @@ def pushed_share(
     """
     if not structure.wrenches:
         return axial_share(ask, structure, answer)
-    every = [each for each in (structure, *others) if _pushes(answer(each))]
-    if not every:
+    each_peak = [
+        answer(replace(each, outputs={**each.outputs, **_wrench_rows(each)}))
+        for each in (structure, *others)
+    ]
+    if not any(map(_pushes, each_peak)):
         return 0.0
     joint = _joint(ask)
     if joint is None:
         return axial_share(ask, structure, answer)
-    each_peak = [answer(replace(each, outputs=_wrench_rows(each))) for each in every]
     peaks = {name: max(one[name] for one in each_peak) for name in each_peak[0]}
     point, alone = joint.layout.body(joint.layout.drive.body).point, ask.scene.without_loads()
     shares = list[float]()

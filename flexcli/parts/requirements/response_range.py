@@ -85,14 +85,14 @@ class Uncertain:
         for each in (self.structure, *(self.others or ())):
             if not each.unsure:
                 continue
-            names = {f"unsure {k} {joint}": rows for (joint, k), rows in each.unsure.items()}
-            doubts = answer(replace(each, outputs=names))
-            stress, whole = answer(each), dict[str, float]()
+            rows = {f"unsure {k} {joint}": rows for (joint, k), rows in each.unsure.items()}
+            rows |= {f"stress {joint}": each.outputs[f"stress {joint}"] for joint, _ in each.unsure}
+            peaks, whole = answer(replace(each, outputs=rows)), dict[str, float]()
             for joint, k in each.unsure:
-                whole[joint] = whole.get(joint, 0.0) + doubts[f"unsure {k} {joint}"]
+                whole[joint] = whole.get(joint, 0.0) + peaks[f"unsure {k} {joint}"]
             for joint, doubt in whole.items():
                 if doubt > 0.0:
-                    off = max(off, doubt / stress[f"stress {joint}"])
+                    off = max(off, doubt / peaks[f"stress {joint}"])
         return ErrorRange(-min(off, 1.0), off)
 
     def opened(self, error: ErrorRange | None) -> ErrorRange | None:
