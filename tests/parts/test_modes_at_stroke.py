@@ -20,6 +20,7 @@ from flexcli.parts.modes_at_stroke import structures_at_stroke
 from flexcli.parts.own_motion import structure_of
 from flexcli.parts.requirements import Ask
 from flexcli.parts.requirements.as_printed import AsPrinted
+from flexcli.parts.requirements.pushed_by_peaks import flattened_by_stroke
 from flexcli.results import Verdict
 
 H, L, G = 0.1e-3, 40e-3, 9.80665
@@ -331,6 +332,41 @@ def test_a_sine_that_a_mode_meets_on_the_way_to_the_end_of_a_stroke_is_at_resona
     peak = one.demand - still
     assert peak > 20.0 * (whole.demand - far)
     assert 880e6 / whole.factor_range[0] - far > 0.8 * peak
+
+
+WIDE = {**STAGE, "b": "10 mm"}
+
+
+def test_a_stroke_flattens_wide_blades_up_to_plates():
+    """Ashwell (1950): by 1/(1 − ν²) where b²κ/h is large, by nothing where it is small."""
+    shares = []
+    for geometry, x in ((STAGE, 1e-5), (WIDE, 1e-5), (WIDE, 1e-3), (WIDE, 4e-3)):
+        text = spec(geometry, shaken({"translation": f"{x} m"}, 50), {"dynamic-yield": 1})
+        text["material"]["poisson_ratio"] = 0.3
+        found = DesignSpec.model_validate(text)
+        sizes, scene = found.fixed_sizes(), found.scene("a")
+        ask = Ask(found.material, found.geometry, found.mechanism, sizes, scene, AsPrinted())
+        rest = structure_of(ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes)
+        shares.append(flattened_by_stroke(ask, rest))
+    assert shares == sorted(shares)
+    assert shares[0] < 1e-4
+    assert 0.8 < shares[-1] / (0.3**2 / (1.0 - 0.3**2)) < 1.0
+
+
+def test_a_sine_between_the_modes_of_beams_and_of_flattened_blades_may_be_at_resonance():
+    rest, _ = structures(WIDE, {"translation": "1 nm"})
+    frequency = frequencies(rest)[0] * 1.1**0.5
+
+    def checked(case, asked):
+        text = spec(WIDE, {"stroke": {"translation": "4 mm"}, **case}, {asked: 1e-3})
+        text["material"]["poisson_ratio"] = 0.3
+        return next(
+            c for c in flexcli.verdicts(yaml.safe_dump(text)).checks if c.name != "geometry"
+        )
+
+    found = checked(shaken(None, frequency, "x", "1e-3 g"), "dynamic-yield")
+    still = checked({}, "yield").demand
+    assert 880e6 / found.factor_range[0] - still > 2.5 * (found.demand - still)
 
 
 def test_no_response_passes_beside_a_stroke_of_which_no_model_has_the_modes():

@@ -12,6 +12,8 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.plate_flattening import flat_width, tangent_factor
+from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.states import Acting
 from flexcli.parts.elastic import NotAvailable
@@ -32,6 +34,7 @@ __all__ = [
     "axial_share",
     "bent_by_motion",
     "bent_by_stroke",
+    "flattened_by_stroke",
     "pushed_by_peaks",
     "pushed_share",
 ]
@@ -162,6 +165,37 @@ def bent_by_stroke(ask: Ask) -> float | None:
     bent = bent_beside(joint, standing.at_assembly(), in_plane=True)
     share = FREELY * quality * bent.stressed
     return share if share <= KNOWN else None
+
+
+def flattened_by_stroke(ask: Ask, structure: Structure) -> float:
+    """Return by what share a stroke makes a joint in a plane stiffer at most, as curvature does.
+
+    A wide blade that is curved keeps its section from curling, as if all of it were as curved as
+    where it is most: by the stress of the stroke in the structure at rest.
+    """
+    standing = ask.scene.standing
+    if standing is None or not standing.moves or structure.motion is None:
+        return 0.0
+    ratio = 1.0 if ask.mechanism is None else ask.mechanism.joint_travel_per_motion
+    travel = max(map(abs, standing.stroke_ends)) / ratio
+    still = np.linalg.solve(structure.stiffness, structure.motion) * structure.motion_stiffness
+    faces = [
+        np.split(rows @ still, 2)
+        for name, rows in structure.outputs.items()
+        if name.startswith("stress")
+    ]
+    stress = travel * max(float(np.abs(one - other).max()) / 2.0 for one, other in faces)
+    layout, nu = (
+        ask.geometry.blades_layout(ask.material.elastic, ask.sizes),
+        ask.material.elastic.most_nu,
+    )
+    beta = 0.0
+    for blade in layout.blades:
+        h = float(least_thickness(blade))
+        curvature = 2.0 * stress / (layout.E * h)
+        wide = flat_width(b=float(blade.b), h=h, curvature=curvature, poisson_ratio=nu)
+        beta = max(beta, float(wide))
+    return float(tangent_factor(beta=beta, poisson_ratio=nu)) - 1.0
 
 
 def _joint(ask: Ask) -> SpaceJoint | None:

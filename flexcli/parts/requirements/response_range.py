@@ -235,8 +235,13 @@ def uncertain_structure(
         # what stretches the blades is no softer or stiffer by their width, but by their clamps
         least, most = map(float, ask.geometry.crossed(ask.sizes))
         ends += [most, least / (1.0 + ask.clamp_softening)]
+    flat = 0.0
+    if ask.scene.standing is not None:
+        from flexcli.parts.requirements.pushed_by_peaks import flattened_by_stroke
+
+        flat = flattened_by_stroke(ask, plain)
     low = max(min(ends), 0.0) * (1.0 + changed.low)
-    high = max(ends) * (1.0 + changed.high)
+    high = max(ends) * (1.0 + changed.high) * (1.0 + flat)
     if low <= 0.0 or high == inf:
         return Uncertain(structure, None)
     others = list(on_way)
