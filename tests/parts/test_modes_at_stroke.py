@@ -334,6 +334,16 @@ def test_a_sine_that_a_mode_meets_on_the_way_to_the_end_of_a_stroke_is_at_resona
     assert 880e6 / whole.factor_range[0] - far > 0.8 * peak
 
 
+def test_what_pushes_blades_too_far_on_the_way_is_said():
+    case = shaken({"translation": "2 mm"}, 500)
+    text = yaml.safe_dump(spec(STAGE, case, {"dynamic-yield": 1e-3}))
+    found = flexcli.check(text)
+    assert next(c for c in found.checks if c.name == "dynamic yield").factor_range[0] == 0.0
+    assert {"axial-force-in-modes"} == {
+        note.code for note in found.warnings if note.code.endswith("in-modes")
+    }
+
+
 WIDE = {**STAGE, "b": "10 mm"}
 
 

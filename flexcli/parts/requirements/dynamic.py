@@ -343,8 +343,10 @@ class DynamicBuckling(Dynamic):
         """
         from flexcli.parts.requirements.pushed_by_peaks import pushed_share
 
-        structure = uncertain_structure(ask, ()).structure
-        each = [pushed_share(ask, structure, s.peaks) for s in at_once(ask, self._peak_factor)]
+        each = []
+        for shaking in at_once(ask, self._peak_factor):
+            found = uncertain_structure(ask, shaking.changes_at)
+            each.append(pushed_share(ask, found.structure, shaking.peaks, found.on_way))
         return max((share for share in each if share is not None), default=0.0)
 
 
