@@ -232,8 +232,8 @@ def _steps(layout: Layout) -> Floats:
             for name, end in ((blade.first, blade.start), (blade.second, blade.end))
             if name == body.name
         ]
-        reach = max(float(np.hypot(*np.subtract(end, body.point))) for end in ends)
-        found += [1.0, 1.0, 1.0 / max(reach, *lengths)]
+        arms = [float(np.hypot(*np.subtract(end, body.point))) for end in ends]
+        found += [1.0, 1.0, 1.0 / max(*arms, *lengths)]
     return STEP * small * np.array(found)
 
 
