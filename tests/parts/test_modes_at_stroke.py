@@ -289,6 +289,20 @@ def test_a_base_that_shakes_along_the_blades_moves_the_stage_along_its_stroke():
     assert abs(one / other) == pytest.approx(6.0 * stroke / (5.0 * L), rel=0.02)
 
 
+def test_a_base_that_shakes_along_the_stroke_moves_the_stage_along_its_blades():
+    """Of the mode along them, at its resonance, 6 x/(5 l) of what shaking along them does."""
+    stroke, frequency = {"translation": "2 mm"}, 303.14
+    still = check(STAGE, {"stroke": stroke}, {"yield": 1e-3}).demand
+    along_it, along_blades = (
+        check(STAGE, shaken(stroke, frequency, axis, "1e-4 g"), {"dynamic-yield": 1e-3}).demand
+        - still
+        for axis in "xy"
+    )
+    at_rest = check(STAGE, shaken(None, frequency, "x", "1e-4 g"), {"dynamic-yield": 1e-3}).demand
+    assert along_it > 100.0 * at_rest
+    assert along_it / along_blades == pytest.approx(6.0 * 2e-3 / (5.0 * L), rel=0.1)
+
+
 def test_a_response_at_a_stroke_has_both_its_ends_and_rest_in_its_range():
     case = shaken({"translation": "1 mm"}, 400)
     found = check(STAGE, case, {"dynamic-yield": 1e-3}, "closed-form")

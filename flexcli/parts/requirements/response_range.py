@@ -231,7 +231,7 @@ def uncertain_structure(
     if off is None or beside is None or geometry.has_limbs(elastic, sizes):
         return Uncertain(structure, None)
     ends = [factor * (1.0 + a) * (1.0 + b) for a, b in zip(off, beside, strict=True)]
-    if _leaves_its_motion(ask):
+    if _leaves_its_motion(ask) or on_way:
         # what stretches the blades is no softer or stiffer by their width, but by their clamps
         least, most = map(float, ask.geometry.crossed(ask.sizes))
         ends += [most, least / (1.0 + ask.clamp_softening)]
@@ -319,9 +319,11 @@ def _in_space(ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange) -> 
 
 
 def _stands_bent(ask: Ask) -> bool:
-    """Return whether a stroke stands beside a vibration of more than the mechanism's own motion."""
-    standing = ask.scene.standing
-    return standing is not None and standing.moves and _leaves_its_motion(ask)
+    """Return whether a stroke stands beside a vibration.
+
+    One of the mechanism's own motion alone moves blades that are bent along themselves as well.
+    """
+    return ask.scene.standing is not None and ask.scene.standing.moves
 
 
 def _stiffened_by_loads(ask: Ask) -> ErrorRange | None:
