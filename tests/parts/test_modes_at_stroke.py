@@ -403,6 +403,19 @@ def test_no_response_passes_beside_a_stroke_of_which_no_model_has_the_modes():
     assert small.verdict is Verdict.PASS
 
 
+def test_a_stroke_of_next_to_nothing_leaves_a_warm_joint_its_response():
+    material = {"thermal_expansion": "10e-6 1/K"}
+    warm = {**shaken({"rotation": "1e-7 rad"}, 400), "temperature": {"uniform": "5 K"}}
+    text = spec(HINGE, warm, {"dynamic-yield": 1e-3})
+    text["material"] |= material
+    verdicts = []
+    for stroke in (1e-7, 1e-2):
+        text["cases"]["a"]["stroke"] = {"rotation": f"{stroke} rad"}
+        found = flexcli.verdicts(yaml.safe_dump(text)).checks
+        verdicts += [c.verdict for c in found if c.name.startswith("dynamic")]
+    assert verdicts == [Verdict.PASS, Verdict.UNDECIDED]
+
+
 @pytest.mark.parametrize(
     ("geometry", "size", "frequency", "axis"),
     [

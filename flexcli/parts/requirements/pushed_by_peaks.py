@@ -153,11 +153,11 @@ def bent_by_stroke(ask: Ask) -> float | None:
     """Return by what share more a stroke stresses blades that shake, of a joint in a plane.
 
     Where no exact beams tell it: of a force along a blade that nothing holds across it, whose lever
-    is what it is bent by, at resonance of the own motion. None where it is not small, and where the
-    body's centre of mass is off the joint's, so that the stroke moves it aside.
+    is what stroke and loads bend it by, at resonance of the own motion. None where it is not small,
+    and where the body's centre of mass is off the joint's, so that the stroke moves it aside.
     """
     standing, joint, mechanism = ask.scene.standing, _joint(ask), ask.mechanism
-    if standing is None or standing.is_loaded or joint is None or ask.geometry.has_masses:
+    if standing is None or joint is None or ask.geometry.has_masses:
         return None
     if mechanism is None or mechanism.arm or mechanism.joints > 1:
         return None
