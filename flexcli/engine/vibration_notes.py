@@ -136,23 +136,39 @@ def _by_sigma(_scene: Scene, vibration: Vibration, _rate: float) -> float:
 
 
 def _bent_by_stroke(ask: Ask) -> Iterator[Note]:
-    """Yield that no model has the modes of blades that the stroke of the case bends."""
+    """Yield that no model has the modes of blades that the stroke of the case bends.
+
+    Or that the peaks push them too far where it takes them on its way.
+    """
     standing = ask.scene.standing
     if standing is None or not standing.moves:
         return
     try:
         for shaking in at_once(ask, _by_sigma):
             found = uncertain_structure(ask, shaking.changes_at)
-            share = pushed_share(ask, found.structure, shaking.peaks)
+            share, on_way = (
+                pushed_share(ask, found.structure, shaking.peaks, others)
+                for others in ((), found.on_way)
+            )
             found = pushed(ask, found, shaking.peaks, shaking.changes_at)
-            if not found.is_bounded and share is not None and share <= KNOWN:
+            if found.is_bounded or share is None or share > KNOWN:
+                continue
+            if on_way is not None and on_way > KNOWN:
+                text = (
+                    f"case '{ask.scene.case}': on the way to an end of its stroke the peaks push "
+                    f"blades by {on_way:.2g} of what buckles the joint: from {KNOWN:g} of it on "
+                    "no response passes; give the vibration a case of its own, at the place where "
+                    "it acts"
+                )
+                yield Note("axial-force-in-modes", text)
+            else:
                 text = (
                     f"case '{ask.scene.case}': its stroke bends blades that shake there, and no "
                     "model here has their modes: no response passes; give the vibration a case of "
                     "its own where it does not act at the stroke"
                 )
                 yield Note("stroke-in-modes", text)
-                return
+            return
     except (NotAvailable, RequirementError, ValueError):
         return  # said where the response is judged
 

@@ -7,21 +7,20 @@ the inside adds its lowest modes between fixed ends. Along the blade's own axes 
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.blade_spring import SHEAR_FACTOR
 from flexcli.formulas.profile import Constant, Piece, Profile
+from flexcli.mechanics.stress_places import stress_places
 from flexcli.numerics.collocation import gauss_nodes
 from flexcli.numerics.modes import natural_modes
 
 __all__ = ["HeavyBlade", "heavy_blade"]
 
 Floats = NDArray[np.float64]
-
-_Ends: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
 
 ELEMENTS = 16
 """Elements of a blade with mass, shared by its pieces that are not short: of the sixth mode inside
@@ -41,8 +40,9 @@ class HeavyBlade(NamedTuple):
     """Matrices on (u, w, φ of the start, u, w, φ of the end, inside) and rows of what it feels.
 
     ``mass`` and ``stiffness`` are (6 + m, 6 + m); ``axial`` and ``bending`` [Pa], rows (places,
-    6 + m), are the axial stress and the bending stress at one face at both ends of every flexible
-    piece; ``end_force`` (3, 6 + m) is the force (along, across) on the blade's end [N] with the
+    6 + m), are the axial stress and the bending stress at one face along every flexible piece, at
+    the places s [m] of :func:`flexcli.mechanics.stress_places.stress_places`, where it is h [m]
+    thick; ``end_force`` (3, 6 + m) is the force (along, across) on the blade's end [N] with the
     moment about it [N·m].
     """
 
@@ -51,6 +51,8 @@ class HeavyBlade(NamedTuple):
     axial: Floats
     bending: Floats
     end_force: Floats
+    s: Floats
+    h: Floats
 
 
 class _Element(NamedTuple):
@@ -108,18 +110,19 @@ def heavy_blade(
     slide = 1.0 / (SHEAR_FACTOR * G) if G else 0.0
     K = _end_stiffness(pieces, E=E, l=l, b=b, slide=slide)
     N, V, M = K[3:]  # what the blade's end feels
-    ends = [_ends(piece) for piece in pieces]
-    stresses = _stresses(ends, b, lambda s: (N, M + (l - s) * V))
-    still = HeavyBlade(np.zeros((6, 6)), K, *stresses, K[3:])
+    places = [_places(piece) for piece in pieces]
+    s, h = np.concatenate(places, axis=-1)
+    stresses = _stresses(s, h, b, lambda at: (N, M + (l - at) * V))
+    still = HeavyBlade(np.zeros((6, 6)), K, *stresses, K[3:], s, h)
     if not density:
         return still
     told = [
         (piece, share)
-        for piece, ((start, _), (end, _)) in zip(pieces, ends, strict=True)
-        if (share := (end - start) / l) > NEGLIGIBLE
+        for piece, (at, _) in zip(pieces, places, strict=True)
+        if (share := float(at[-1] - at[0]) / l) > NEGLIGIBLE
     ]
     made = {"E": E, "b": b, "density": density, "slide": slide}
-    return _with_inside(still, told, ends, l, is_uniform=isinstance(profile, Constant), **made)
+    return _with_inside(still, told, l, is_uniform=isinstance(profile, Constant), **made)
 
 
 def _end_stiffness(
@@ -146,7 +149,6 @@ def _end_stiffness(
 def _with_inside(
     still: HeavyBlade,
     told: Sequence[tuple[Piece, float]],
-    ends: Sequence[_Ends],
     l: float,
     *,
     is_uniform: bool,
@@ -179,13 +181,13 @@ def _with_inside(
         moment = (1.0 - share) * first + share * last
         return elements[index].forces[0] @ inside[index], moment @ inside[index]
 
-    axial, bending = _stresses(ends, made["b"], felt)
+    axial, bending = _stresses(still.s, still.h, made["b"], felt)
     last = np.vstack([elements[-1].forces, elements[-1].moments[-1]])
     of_modes = modes.shape[1]
     stiffness = np.zeros((6 + of_modes,) * 2)
     stiffness[:6, :6] = still.stiffness
     stiffness[6:, 6:] = _symmetric(modes.T @ K @ modes)
-    return HeavyBlade(
+    return still._replace(
         mass=_symmetric(reduction.T @ M @ reduction),
         stiffness=stiffness,
         axial=np.hstack([still.axial, axial]),
@@ -194,24 +196,19 @@ def _with_inside(
     )
 
 
-def _ends(piece: Piece) -> _Ends:
-    """Return place and thickness where a piece starts, and where it ends [m]."""
-    at = np.array([-1.0, 1.0])
-    places, thicknesses = (np.ravel(each(at)) for each in (piece.position, piece.thickness))
-    (start, end), (h_1, h_2) = places.tolist(), np.broadcast_to(thicknesses, (2,)).tolist()
-    return (start, h_1), (end, h_2)
+def _places(piece: Piece) -> Floats:
+    """Return places of a piece at which stress is looked at, and its thickness there (2, n) [m]."""
+    at = stress_places(piece)
+    s, h = (np.ravel(each(at)) for each in (piece.position, piece.thickness))
+    return np.stack([s, np.broadcast_to(h, s.shape)])
 
 
 def _stresses(
-    ends: Sequence[_Ends], b: float, felt: Callable[[float], tuple[Floats, Floats]]
+    s: Floats, h: Floats, b: float, felt: Callable[[float], tuple[Floats, Floats]]
 ) -> tuple[Floats, Floats]:
     """Return rows (places, n) of the axial and the bending stress by those of N and M."""
-    axial, bending = list[Floats](), list[Floats]()
-    for s, h in (end for each in ends for end in each):
-        N, M = felt(s)
-        axial.append(N / (b * h))
-        bending.append(6.0 / (b * h**2) * M)
-    return np.array(axial), np.array(bending)
+    N, M = (np.array(each) for each in zip(*map(felt, s.tolist()), strict=True))
+    return N / (b * h)[:, None], 6.0 * M / (b * h**2)[:, None]
 
 
 def _place(elements: Sequence[_Element], s: float) -> tuple[int, float]:

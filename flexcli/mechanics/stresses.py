@@ -1,18 +1,26 @@
 """Stress along every blade at both faces, by bending alone and with the axial force."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas import fillet, notch
-from flexcli.formulas.profile import Filleted, Notch
+from flexcli.formulas.profile import Filleted, Notch, Piece
 from flexcli.mechanics.layout import Blade
 from flexcli.mechanics.mesh import Segment, column, pick
 from flexcli.mechanics.section_forces import flexible_pieces, section_forces
 from flexcli.mechanics.state import Equilibrium, Part
 
-__all__ = ["BladeStress", "Peak", "beside_beam", "blade_stress", "greatest_stress"]
+__all__ = [
+    "BladeStress",
+    "Peak",
+    "beside_beam",
+    "beside_beam_rows",
+    "blade_stress",
+    "greatest_stress",
+]
 
 Floats = NDArray[np.float64]
 
@@ -68,8 +76,14 @@ class Peak(NamedTuple):
     total_at: Floats
 
 
-def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> BladeStress:
-    """Return the stress along a blade, at ``points`` places on each of its flexible pieces.
+def blade_stress(
+    state: Equilibrium,
+    blade: str,
+    points: int = _POINTS,
+    *,
+    places: Callable[[Piece], Floats] | None = None,
+) -> BladeStress:
+    """Return the stress along a blade, at places on each of its flexible pieces.
 
     ``σ = N/(b h) ± 6M/(b h²)``, elastic, each times the factor by which the blade's shape raises
     it (``Blade.peak``).
@@ -82,6 +96,8 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
         Name of the blade.
     points : int
         Places on each piece, its ends among them.
+    places : callable, optional
+        Function that gives the places of a piece instead, from −1 to 1, all designs alike.
 
     Returns
     -------
@@ -90,10 +106,13 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
 
     """
     index = [b.name for b in state.layout.blades].index(blade)
-    values, u = [], np.linspace(-1.0, 1.0, points)[None]
+    values, evenly = [], np.linspace(-1.0, 1.0, points)
     for part in state.parts:
         found = [
-            _stress(state, part, index, segment, u) for segment in flexible_pieces(part, index)
+            _stress(state, part, index, segment, u[None])
+            for segment in flexible_pieces(part, index)
+            if segment.piece is not None
+            for u in [evenly if places is None else places(segment.piece)]
         ]
         values.append(np.concatenate(found, axis=-1))
     return BladeStress(*np.moveaxis(state.scatter(values), 1, 0))
@@ -121,6 +140,59 @@ def beside_beam(blade: Blade, found: BladeStress) -> tuple[Floats, Floats] | Non
     :func:`flexcli.formulas.notch.sheared_peak`, :func:`flexcli.formulas.fillet.sheared_peak`.
 
     """
+    across = _sheared(blade)
+    if across is None:
+        return None
+    if isinstance(blade.profile, Filleted):
+        return _beside_fillets(found, across)
+    sheared = found.sheared
+    return across.more * sheared, across.off * np.abs(sheared)
+
+
+def beside_beam_rows(
+    blade: Blade, s: Floats, h: Floats, bending: Floats
+) -> tuple[Floats, tuple[Floats, ...]]:
+    """Return what no beam has of rows of the bending stress of a hinge, and what is unsure of it.
+
+    Parameters
+    ----------
+    blade : Blade
+        A blade, as in :func:`beside_beam`.
+    s, h : array, shape (places,)
+        Places from its start, and its thickness there [m].
+    bending : array, shape (places, n)
+        Rows of its bending stress.
+
+    Returns
+    -------
+    added : array, shape (places, n)
+        Rows with the sign of the bending.
+    unsure : tuple of array, shape (places, n)
+        Rows whose sizes, added up, it may be off by either way; none where nothing is added.
+
+    """
+    across = _sheared(blade)
+    if across is None:
+        return np.zeros_like(bending), ()
+    more, off, reach = (float(np.ravel(each)[0]) for each in across)
+    middle = float(np.hypot(*np.subtract(blade.end, blade.start))) / 2.0
+    after = int(np.searchsorted(s, middle))
+    before = max(after - 1, 0)
+    share = (middle - s[before]) / (s[after] - s[before]) if s[after] > s[before] else 0.0
+    moment = bending * h[:, None] ** 2
+    there = (1.0 - share) * moment[before] + share * moment[after]
+    sheared = (moment - there) / h[:, None] ** 2
+    if not isinstance(blade.profile, Filleted):
+        return more * sheared, (off * sheared,)
+    per_length = (moment[0] - there) / (s[0] - middle)
+    return more * sheared, (off * sheared, reach * per_length / h[:, None] ** 2)
+
+
+def _sheared(blade: Blade) -> fillet.Sheared | None:
+    """Return what a force across a hinge makes of its stress, shares (designs, 1), if it has one.
+
+    None of notches has a reach.
+    """
     if np.all(np.asarray(blade.peak[0]) == 1.0):
         return None
     along = (end - start for start, end in zip(blade.start, blade.end, strict=True))
@@ -128,10 +200,9 @@ def beside_beam(blade: Blade, found: BladeStress) -> tuple[Floats, Floats] | Non
     match blade.profile:
         case Notch(e=e, depth=depth):
             more, off = notch.sheared_peak(e=e, rho=l**2 / (4.0 * depth), depth=depth)
-            sheared = found.sheared
-            return more * sheared, off * np.abs(sheared)
+            return fillet.Sheared(more, off, 0.0)
         case Filleted(h=h, r=r):
-            return _beside_fillets(found, fillet.sheared_peak(h=h, l=l, r=r))
+            return fillet.sheared_peak(h=h, l=l, r=r)
         case _:
             return None
 

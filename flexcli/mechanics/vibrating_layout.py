@@ -27,7 +27,8 @@ class VibratingLayout:
     those held, then modes inside the blades. ``pull`` is the inertial force per acceleration of
     the base along an axis, ``moved`` all the mass that it moves [kg]. ``motions`` are rows (3, n)
     of each body; ``axial``, ``bending`` [Pa] and ``end_force`` (3, n), along x and y [N] and
-    about the end [N·m], are rows of each blade.
+    about the end [N·m], are rows of each blade, ``places`` (2, places) where its stress is looked
+    at, from its start, and its thickness there [m].
     """
 
     mass: Floats
@@ -38,6 +39,7 @@ class VibratingLayout:
     axial: Mapping[str, Floats]
     bending: Mapping[str, Floats]
     end_force: Mapping[str, Floats]
+    places: Mapping[str, Floats]
 
 
 def vibrating_layout(
@@ -112,6 +114,10 @@ def vibrating_layout(
         axial={name: found[:, free] for name, found in axial.items()},
         bending={name: found[:, free] for name, found in bending.items()},
         end_force={name: found[:, free] for name, found in end_force.items()},
+        places={
+            strip.name: np.stack([blade.s, blade.h])
+            for strip, blade in zip(layout.blades, blades, strict=True)
+        },
     )
 
 

@@ -15,6 +15,8 @@ from flexcli.formulas.plate_factors import bound
 from flexcli.formulas.thick_notch import bends_more
 from flexcli.mechanics.hanging_mass import blade_masses
 from flexcli.mechanics.layout import Blade
+from flexcli.mechanics.stress_places import stress_places
+from flexcli.mechanics.stresses import beside_beam_rows
 from flexcli.numerics.modes import natural_modes
 from flexcli.numerics.quadrature import gauss_rule
 from flexcli.parts.bending import Change, Changes, Factor
@@ -190,13 +192,18 @@ def _bent(setting: Setting, density: float) -> _Bent | None:
 
 
 def _along(blade: Blade, bending: Floats) -> _Bent:
-    """Return where a hinge bends, given its bending stress at both ends of every piece."""
+    """Return where a hinge bends, given its bending stress along every piece."""
     l = hypot(*np.subtract(blade.end, blade.start))
-    pieces, ends = blade.profile.pieces(l), np.array([-1.0, 1.0])
-    places = np.concatenate([piece.position(ends) for piece in pieces]) / l - 0.5
-    thick = np.concatenate([piece.thickness(ends) * np.ones(2) for piece in pieces])
-    at, first = np.unique(np.round(places, 9), return_index=True)
-    moment = np.polyfit(at, (bending * thick**2)[first], len(at) - 1)
+    pieces = blade.profile.pieces(l)
+    looked = [(piece, stress_places(piece)) for piece in pieces]
+    places = np.concatenate([piece.position(u) for piece, u in looked])
+    thick = np.concatenate([piece.thickness(u) * np.ones(u.size) for piece, u in looked])
+    # without what forces across it add to the stress of its moment
+    more, _ = beside_beam_rows(blade, places, thick, np.eye(places.size))
+    moments = np.linalg.solve(np.eye(places.size) + more, bending) * thick**2
+    is_end = np.concatenate([np.abs(u) == 1.0 for _, u in looked])
+    at, first = np.unique(np.round(places[is_end] / l - 0.5, 9), return_index=True)
+    moment = np.polyfit(at, moments[is_end][first], len(at) - 1)
     u, weight = gauss_rule(NODES)
     u, weight = 2.0 * u - 1.0, 2.0 * weight
     s, h, ds = (

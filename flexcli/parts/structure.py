@@ -4,15 +4,16 @@ Bodies, blades and supports are those of :mod:`flexcli.mechanics.layout`, here w
 of one joint put together, and reduced to matrices.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import cos, sin
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.layout import Body, Layout, Point, Support
+from flexcli.mechanics.layout import Blade, Body, Layout, Point, Support
+from flexcli.mechanics.stresses import beside_beam_rows
 from flexcli.mechanics.vibrating_layout import vibrating_layout
 from flexcli.parts.geometries.base import GROUND, MOVING
 
@@ -23,6 +24,7 @@ __all__ = [
     "PlacedJoint",
     "Structure",
     "assemble",
+    "bending_rows",
     "joined",
     "largest_of",
     "on_joints",
@@ -62,7 +64,9 @@ class Structure:
     is locked. ``bodies`` holds rows of the motion of each body's point in ``directions``,
     relative to the base; ``wrenches`` (3, n) by joint the force on what it carries [N] and the
     moment about the point of the joint's moving body [N·m], along the axes of its own drawing, and
-    ``joint_motions`` how far that point moves from its base [m, rad].
+    ``joint_motions`` how far that point moves from its base [m, rad]. ``unsure`` are rows of
+    stress (k, n) whose peaks, added up over those of one joint, the stress there may be off by
+    either way, by joint and what they are of.
     """
 
     mass: Floats
@@ -75,6 +79,7 @@ class Structure:
     directions: tuple[str, ...] = ("x", "y", "theta_z")
     wrenches: Mapping[str, Floats] = field(default_factory=dict)
     joint_motions: Mapping[str, Floats] = field(default_factory=dict)
+    unsure: Mapping[tuple[str, int], Floats] = field(default_factory=dict)
 
     def stiffened(self, factor: float) -> "Structure":
         """Return the structure with all of its stiffness, and so its stresses, times a factor."""
@@ -82,7 +87,11 @@ class Structure:
             name: rows if name in MOTIONS else rows * factor for name, rows in self.outputs.items()
         }
         wrenches = {name: rows * factor for name, rows in self.wrenches.items()}
-        return replace(self, stiffness=self.stiffness * factor, outputs=outputs, wrenches=wrenches)
+        unsure = {name: rows * factor for name, rows in self.unsure.items()}
+        return replace(
+            self, stiffness=self.stiffness * factor, outputs=outputs, wrenches=wrenches,
+            unsure=unsure,
+        )  # fmt: skip
 
     def softened_along(self, share: float) -> "Structure":
         """Return a structure in a plane whose blades give way along themselves by a share more.
@@ -101,6 +110,21 @@ class Structure:
                 outputs[name] = rows if name in MOTIONS else (1.0 - lost) * rows
         wrenches = {name: (1.0 - lost) * rows for name, rows in self.wrenches.items()}
         return replace(self, stiffness=stiffness, outputs=outputs, wrenches=wrenches)
+
+    def mixed(self, other: "Structure", share: float) -> "Structure":
+        """Return the structure between this one and another with the same rows and mass."""
+
+        def between(one: Mapping[Any, Floats], two: Mapping[Any, Floats]) -> dict[Any, Floats]:
+            return {key: (1.0 - share) * one[key] + share * two[key] for key in one}
+
+        return replace(
+            self,
+            stiffness=(1.0 - share) * self.stiffness + share * other.stiffness,
+            pull=between(self.pull, other.pull),
+            outputs=between(self.outputs, other.outputs),
+            wrenches=between(self.wrenches, other.wrenches),
+            unsure=between(self.unsure, other.unsure),
+        )
 
     def without_motion(self) -> "Structure":
         """Return the structure without a driven motion, as where it is locked."""
@@ -175,6 +199,7 @@ def assemble(
     copies = [_placed(joint, at) for at in joints]
     found = vibrating_layout(_whole(bodies, copies), density, held, thick=thick)
     outputs, wrenches, motions = (dict[str, Floats]() for _ in range(3))
+    unsure = dict[tuple[str, int], Floats]()
     places = {body.name: body.point for body in bodies}
     for at, copy in zip(joints, copies, strict=True):
         point = turned(joint.body(MOVING).point, at.orientation, at.point)
@@ -195,19 +220,41 @@ def assemble(
                 moved = turned((u - y * phi, v + x * phi), -at.orientation)
                 motions[at.name] += sign * np.stack([*moved, phi])
         axial = np.concatenate([found.axial[blade.name] * blade.peak[1] for blade in copy.blades])
-        bending = np.concatenate(
-            [found.bending[blade.name] * blade.peak[0] for blade in copy.blades]
-        )
+        each = [
+            (blade, *found.places[blade.name], found.bending[blade.name] * blade.peak[0])
+            for blade in copy.blades
+        ]
+        bending, off = bending_rows(each)
         outputs[f"axial stress {at.name}"] = axial
         outputs[f"stress {at.name}"] = np.concatenate([axial + bending, axial - bending])
+        unsure |= {(at.name, k): rows for k, rows in enumerate(off)}
     own = None
     if motion is not None:
         own = np.array(motion.direction) @ found.motions[motion.body]
         outputs[motion.name] = own[None, :]
     return Structure(
         found.mass, found.stiffness, found.pull, found.moved, outputs, own, found.motions,
-        wrenches=wrenches, joint_motions=motions,
+        wrenches=wrenches, joint_motions=motions, unsure=unsure,
     )  # fmt: skip
+
+
+def bending_rows(
+    blades: Iterable[tuple[Blade, Floats, Floats, Floats]],
+) -> tuple[Floats, list[Floats]]:
+    """Return rows of the bending stress of blades with what no beam has of it, and its doubts.
+
+    Each has its places, its thickness there [m], and the rows of its beam. The rows of a doubt are
+    at the same places, nothing of blades that have none.
+    """
+    each = [(bending, *beside_beam_rows(blade, s, h, bending)) for blade, s, h, bending in blades]
+    kinds = max((len(unsure) for *_, unsure in each), default=0)
+    doubts = [
+        np.concatenate([
+            unsure[k] if k < len(unsure) else np.zeros_like(bending) for bending, _, unsure in each
+        ])
+        for k in range(kinds)
+    ]  # fmt: skip
+    return np.concatenate([bending + added for bending, added, _ in each]), doubts
 
 
 def on_joints(bodies: Sequence[Body], joints: Sequence[PlacedJoint], joint: Layout) -> Layout:

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
 from math import atan2, cos, inf, isinf, sin
 from operator import itemgetter
 from typing import Any, Protocol, TypeVar
@@ -30,8 +29,9 @@ from flexcli.mechanics.state import Equilibrium
 from flexcli.numerics.rows import all_of_each, one_alone, over_states
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.loads_in_plane import accelerated, loads_in_plane, senses_in_plane
 from flexcli.parts.requirements import Ask
-from flexcli.parts.scene import IN_PLANE, Scene
+from flexcli.parts.scene import Scene
 
 __all__ = [
     "Solver",
@@ -116,7 +116,7 @@ def of_case(ask: Ask, solver: Solver[Found]) -> Found:
     with which the loads of the case may act; of a case without a stroke, one state for each.
     """
     scene = ask.scene
-    signs = _signs(scene)
+    signs = senses_in_plane(scene)
     if not scene.moves:
         return _states(ask, solver, None, signs)
     travels = np.tile(scene.stroke_ends, len(signs))
@@ -126,20 +126,6 @@ def of_case(ask: Ask, solver: Solver[Found]) -> Found:
 def over_travels(ask: Ask, solver: Solver[Found], travels: Floats | None) -> Found:
     """Return the states of a case at given travels, if it has a stroke, its loads as stated."""
     return _states(ask, solver, travels, np.ones((1, 1 + len(ask.scene.inertial))))
-
-
-def _signs(scene: Scene) -> Floats:
-    """Return the signs (combinations, groups) of what is stated and of each acceleration.
-
-    A load that states its direction has no other; a wrench acts either way.
-    """
-    fields = ((0.0, 0.0, 0.0), *scene.accelerations)
-    acts = [
-        any(wrench[i] for i in IN_PLANE) or any(field[:2])
-        for wrench, field in zip((scene.stated, *scene.inertial), fields, strict=True)
-    ]
-    acts[0] = acts[0] and not scene.has_one_sense
-    return np.array(list(product(*((1.0, -1.0) if on else (1.0,) for on in acts))))
 
 
 def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floats) -> Found:
@@ -160,16 +146,16 @@ def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floa
         angle = angle if hold_of(scene).across else 0.0
         layout = turned(layout, -angle)
         held = {MOVING: held_at_rest(scene, geometry)}
-        return solver(layout, held, _loads(scene, layout, density, signs, -angle))
+        return solver(layout, held, loads_in_plane(scene, layout, density, signs, -angle))
     travels = travels + _sag(ask._replace(scene=scene), solver, layout, density, signs)
     if driven_axis(geometry) == 2 and hold_of(scene).across and scene.forces:
         layout = turned(layout, -angle)
         x, _, phi = held_by_stroke(scene, geometry, travels)
         led = solver(layout, {MOVING: (x, None, phi)}, ())
         held = {MOVING: (x, led.motions[:, layout.index(MOVING), 1], phi)}
-        return solver(layout, held, _loads(scene, layout, density, signs, -angle))
+        return solver(layout, held, loads_in_plane(scene, layout, density, signs, -angle))
     held = {MOVING: held_by_stroke(scene, geometry, travels)}
-    return solver(layout, held, _loads(scene, layout, density, signs, 0.0))
+    return solver(layout, held, loads_in_plane(scene, layout, density, signs, 0.0))
 
 
 def paths(ask: Ask) -> Iterator[tuple[Layout, Held, Held, list[Load]]]:
@@ -190,13 +176,13 @@ def paths(ask: Ask) -> Iterator[tuple[Layout, Held, Held, list[Load]]]:
             held = x, None, phi
             if driven_axis(geometry) == 2:
                 held = x, y, phi if hold_of(scene).turn else None
-        for signs in _signs(scene):
+        for signs in senses_in_plane(scene):
             loads = [
                 load._replace(
                     force=(float(load.force[0][0]), float(load.force[1][0])),
                     moment=float(np.ravel(load.moment)[0]),
                 )
-                for load in _loads(scene, layout, _density(ask), signs[None], -angle)
+                for load in loads_in_plane(scene, layout, _density(ask), signs[None], -angle)
             ]
             yield layout, {MOVING: held}, {MOVING: kept}, loads
 
@@ -242,11 +228,11 @@ def _density(ask: Ask) -> Number:
 
 def fields(ask: Ask) -> tuple[Layout, Floats, Floats]:
     """Return the joint, and along x and y of it what accelerates its mass in a case's states."""
-    signs = _signs(ask.scene)
+    signs = senses_in_plane(ask.scene)
     if ask.scene.moves:
         signs = np.repeat(signs, 2, axis=0)
     designs, (scene, layout) = over_states(len(signs), ask.scene, warmed(ask))
-    return layout, *_field(scene, np.repeat(signs, designs, axis=0), 0.0)
+    return layout, *accelerated(scene, np.repeat(signs, designs, axis=0), 0.0)
 
 
 def by_weight_alone(ask: Ask, solver: Solver[Found], density: Number) -> Found:
@@ -268,7 +254,7 @@ def _sag(
     A stroke is from where the loads leave the joint: the drive does not hold against them.
     """
     scene, geometry = ask.scene, ask.geometry
-    loads, kept = _loads(scene, layout, density, signs, 0.0), undriven(scene, geometry)
+    loads, kept = loads_in_plane(scene, layout, density, signs, 0.0), undriven(scene, geometry)
     if not loads or kept[driven_axis(geometry)] is not None:
         return 0.0
     held, body = {MOVING: kept}, layout.index(MOVING)
@@ -289,36 +275,6 @@ def _is_driven(motion: Floats, layout: Layout, axis: int) -> bool:
     )
     reach = np.abs(motion) * (1.0, 1.0, longest)
     return bool(np.any(reach[:, axis] > ALONG * reach.max()))
-
-
-def _loads(
-    scene: Scene, layout: Layout, density: Number, signs: Floats, angle: float
-) -> list[Load]:
-    """Return the loads in the plane with their signs (states, groups), turned by an angle."""
-    centre, (c, s) = layout.body(MOVING).point, (cos(angle), sin(angle))
-    found = []
-    for group, wrench in enumerate((scene.stated, *scene.inertial)):
-        if any(wrench[i] for i in IN_PLANE):
-            x, y, sign = wrench[0], wrench[1], signs[:, group]
-            force = (sign * (c * x - s * y), sign * (s * x + c * y))
-            found.append(Load(MOVING, centre, force, sign * wrench[5]))
-    if not scene.is_accelerated:
-        return found
-    field = _field(scene, signs, angle)
-    found += [
-        Load(body.name, body.com, (body.mass * field[0], body.mass * field[1]))
-        for body in layout.bodies
-        if body.mass
-    ]
-    return found + (weights_on_bodies(layout, density, *field) if np.any(density) else [])
-
-
-def _field(scene: Scene, signs: Floats, angle: float) -> tuple[Floats, Floats]:
-    """Return what acts on all mass with its signs (states, groups), turned by an angle [m/s²]."""
-    c, s = cos(angle), sin(angle)
-    each = [(x, y) for x, y, _ in scene.accelerations]
-    x, y = (sum(signs[:, k] * field[i] for k, field in enumerate(each, 1)) for i in (0, 1))
-    return np.asarray(c * x - s * y), np.asarray(s * x + c * y)
 
 
 def over_stroke(

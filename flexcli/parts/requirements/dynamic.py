@@ -154,7 +154,7 @@ class Dynamic(FactorRequirement):
                 name: (sigma * one.rms, between(one.rms, [one.rms, one.least, one.most]))
                 for name, one in outputs.items()
             }
-            rest = _rest(ask, found, ranges, lambda _structure: {}, prefix, bearable)
+            rest = _rest(ask, found, ranges, peaks, prefix, bearable)
             for name, (value, off) in ranges.items():
                 if not name.startswith(prefix):
                     continue
@@ -343,8 +343,10 @@ class DynamicBuckling(Dynamic):
         """
         from flexcli.parts.requirements.pushed_by_peaks import pushed_share
 
-        structure = uncertain_structure(ask, ()).structure
-        each = [pushed_share(ask, structure, s.peaks) for s in at_once(ask, self._peak_factor)]
+        each = []
+        for shaking in at_once(ask, self._peak_factor):
+            found = uncertain_structure(ask, shaking.changes_at)
+            each.append(pushed_share(ask, found.structure, shaking.peaks, found.on_way))
         return max((share for share in each if share is not None), default=0.0)
 
 

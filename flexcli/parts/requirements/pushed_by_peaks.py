@@ -5,12 +5,15 @@ and one of what would buckle the joint if it stood has no linear response. Blade
 way along themselves, and a force along them bends them further.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import pi
 
 import numpy as np
+from numpy.typing import NDArray
 
+from flexcli.formulas.plate_flattening import flat_width, tangent_factor
+from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.states import Acting
 from flexcli.parts.elastic import NotAvailable
@@ -31,9 +34,12 @@ __all__ = [
     "axial_share",
     "bent_by_motion",
     "bent_by_stroke",
+    "flattened_by_stroke",
     "pushed_by_peaks",
     "pushed_share",
 ]
+
+Floats = NDArray[np.float64]
 
 NEGLIGIBLE = 1e-6
 """Part of the stress of a peak that is along blades up to which nothing pushes them."""
@@ -47,18 +53,23 @@ ALONE = 4.0
 """Times the load of a blade between guided ends that one bears whose body nothing else holds."""
 
 
-def pushed_by_peaks(ask: Ask, structure: Structure, answer: Answer) -> ErrorRange | None:
+def pushed_by_peaks(
+    ask: Ask, structure: Structure, answer: Answer, others: Sequence[Structure] = ()
+) -> ErrorRange | None:
     """Return by what share the peaks of a response change stiffnesses at most, as static loads.
 
-    Nothing where it is not small. ``answer`` gives the peaks of a structure's outputs.
+    Nothing where it is not small. ``answer`` gives the peaks of a structure's outputs, those of
+    ``others`` that it may be count where they are larger.
     """
-    share = pushed_share(ask, structure, answer)
+    share = pushed_share(ask, structure, answer, others)
     if share == 0.0:
         return EXACT
     return None if share is None or share > KNOWN else ErrorRange(-share, share)
 
 
-def pushed_share(ask: Ask, structure: Structure, answer: Answer) -> float | None:
+def pushed_share(
+    ask: Ask, structure: Structure, answer: Answer, others: Sequence[Structure] = ()
+) -> float | None:
     """Return what the peaks of a response are of what buckles the joint, as static loads [-].
 
     Each component of the wrench on a joint counts by its peak, in either sense, in the plane and
@@ -68,17 +79,16 @@ def pushed_share(ask: Ask, structure: Structure, answer: Answer) -> float | None
     """
     if not structure.wrenches:
         return axial_share(ask, structure, answer)
-    if not _pushes(answer(structure)):
+    each_peak = [
+        answer(replace(each, outputs={**each.outputs, **_wrench_rows(each)}))
+        for each in (structure, *others)
+    ]
+    if not any(map(_pushes, each_peak)):
         return 0.0
     joint = _joint(ask)
     if joint is None:
         return axial_share(ask, structure, answer)
-    rows = {
-        f"{name} {k}": row[None]
-        for name, wrench in structure.wrenches.items()
-        for k, row in enumerate(wrench)
-    }
-    peaks = answer(replace(structure, outputs=rows))
+    peaks = {name: max(one[name] for one in each_peak) for name in each_peak[0]}
     point, alone = joint.layout.body(joint.layout.drive.body).point, ask.scene.without_loads()
     shares = list[float]()
     for name in structure.wrenches:
@@ -88,6 +98,15 @@ def pushed_share(ask: Ask, structure: Structure, answer: Answer) -> float | None
         ]
         shares += shares_beside(joint, alone, groups, driven=True)
     return max(shares)
+
+
+def _wrench_rows(structure: Structure) -> dict[str, Floats]:
+    """Return the rows of each component of the wrenches of a structure, by joint and number."""
+    return {
+        f"{name} {k}": row[None]
+        for name, wrench in structure.wrenches.items()
+        for k, row in enumerate(wrench)
+    }
 
 
 def bent_by_motion(ask: Ask, structure: Structure, answer: Answer) -> BentBeside | None:
@@ -134,11 +153,11 @@ def bent_by_stroke(ask: Ask) -> float | None:
     """Return by what share more a stroke stresses blades that shake, of a joint in a plane.
 
     Where no exact beams tell it: of a force along a blade that nothing holds across it, whose lever
-    is what it is bent by, at resonance of the own motion. None where it is not small, and where the
-    body's centre of mass is off the joint's, so that the stroke moves it aside.
+    is what stroke and loads bend it by, at resonance of the own motion. None where it is not small,
+    and where the body's centre of mass is off the joint's, so that the stroke moves it aside.
     """
     standing, joint, mechanism = ask.scene.standing, _joint(ask), ask.mechanism
-    if standing is None or standing.is_loaded or joint is None or ask.geometry.has_masses:
+    if standing is None or joint is None or ask.geometry.has_masses:
         return None
     if mechanism is None or mechanism.arm or mechanism.joints > 1:
         return None
@@ -146,6 +165,37 @@ def bent_by_stroke(ask: Ask) -> float | None:
     bent = bent_beside(joint, standing.at_assembly(), in_plane=True)
     share = FREELY * quality * bent.stressed
     return share if share <= KNOWN else None
+
+
+def flattened_by_stroke(ask: Ask, structure: Structure) -> float:
+    """Return by what share a stroke makes a joint in a plane stiffer at most, as curvature does.
+
+    A wide blade that is curved keeps its section from curling, as if all of it were as curved as
+    where it is most: by the stress of the stroke in the structure at rest.
+    """
+    standing = ask.scene.standing
+    if standing is None or not standing.moves or structure.motion is None:
+        return 0.0
+    ratio = 1.0 if ask.mechanism is None else ask.mechanism.joint_travel_per_motion
+    travel = max(map(abs, standing.stroke_ends)) / ratio
+    still = np.linalg.solve(structure.stiffness, structure.motion) * structure.motion_stiffness
+    faces = [
+        np.split(rows @ still, 2)
+        for name, rows in structure.outputs.items()
+        if name.startswith("stress")
+    ]
+    stress = travel * max(float(np.abs(one - other).max()) / 2.0 for one, other in faces)
+    layout, nu = (
+        ask.geometry.blades_layout(ask.material.elastic, ask.sizes),
+        ask.material.elastic.most_nu,
+    )
+    beta = 0.0
+    for blade in layout.blades:
+        h = float(least_thickness(blade))
+        curvature = 2.0 * stress / (layout.E * h)
+        wide = flat_width(b=float(blade.b), h=h, curvature=curvature, poisson_ratio=nu)
+        beta = max(beta, float(wide))
+    return float(tangent_factor(beta=beta, poisson_ratio=nu)) - 1.0
 
 
 def _joint(ask: Ask) -> SpaceJoint | None:

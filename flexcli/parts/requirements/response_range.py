@@ -1,6 +1,6 @@
 """The response of a structure over the range of its uncertain stiffness and masses."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, pi
@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
+from flexcli.mechanics.stress_places import SAMPLED, is_uneven
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.mechanisms import MechanismError
@@ -37,6 +38,9 @@ SOFTENED = 12
 TINY = 1e-3
 """Share by which they do that no response notices."""
 
+HALVED = 16
+"""Times that the stroke is halved at which a mode meets a frequency: its resonance is wider."""
+
 MOST_MODES = 8
 """Lowest modes that are moved onto each such frequency."""
 
@@ -61,6 +65,8 @@ class Uncertain:
     is_bounded: bool = True
     """Whether its response is linear: else its own peaks push blades so far that it may be any
     larger."""
+    on_way: tuple[Structure, ...] = ()
+    """Those of the others that a stroke passes on its way, resonances among them."""
 
     def of(self, answer: Answer) -> dict[str, tuple[float, ErrorRange | None]]:
         """Return each number of a response with the range of its error over all structures."""
@@ -72,6 +78,22 @@ class Uncertain:
             name: (value, self.opened(between(value, [each[name] for each in everywhere])))
             for name, value in found.items()
         }
+
+    def beside_beams(self, answer: Answer) -> ErrorRange:
+        """Return the error of the stress of hinges by what forces across them do beside beams."""
+        off = 0.0
+        for each in (self.structure, *(self.others or ())):
+            if not each.unsure:
+                continue
+            rows = {f"unsure {k} {joint}": rows for (joint, k), rows in each.unsure.items()}
+            rows |= {f"stress {joint}": each.outputs[f"stress {joint}"] for joint, _ in each.unsure}
+            peaks, whole = answer(replace(each, outputs=rows)), dict[str, float]()
+            for joint, k in each.unsure:
+                whole[joint] = whole.get(joint, 0.0) + peaks[f"unsure {k} {joint}"]
+            for joint, doubt in whole.items():
+                if doubt > 0.0:
+                    off = max(off, doubt / peaks[f"stress {joint}"])
+        return ErrorRange(-min(off, 1.0), off)
 
     def opened(self, error: ErrorRange | None) -> ErrorRange | None:
         """Return the error of a peak, which without a bound has none from above."""
@@ -92,7 +114,7 @@ class Uncertain:
         peak *= reached
         scene = ask.scene.without_loads()._replace(travel=peak * ratio, mean_travel=0.0, middle=0.0)
         held = ask._replace(scene=scene)
-        shapes = self.shape_error(answer, reached)
+        shapes = compounded(self.shape_error(answer, reached), self.beside_beams(answer))
         error = compounded(ask.joint_model.error(held, QuantityKind.STRESS), shapes)
         if error is None or structure.motion is None or peak == 0.0:
             return error
@@ -122,7 +144,7 @@ def pushed(ask: Ask, found: Uncertain, answer: Answer, frequencies: tuple[float,
 
     if found.others is None:
         return found
-    changed = beside.pushed_by_peaks(ask, found.structure, answer)
+    changed = beside.pushed_by_peaks(ask, found.structure, answer, found.on_way)
     bent = beside.bent_by_motion(ask, found.structure, answer)
     if changed is None or bent is None:
         return replace(found, stiffer=None, is_bounded=False)
@@ -193,39 +215,81 @@ def uncertain_structure(
     factor = 1.0 if stands_in else float(ask.joint_model.stiffness(ask)) / joint
     bases = [plain] if heavy is None else [plain, heavy]
     stressed: float | None = 0.0
-    if not stands_in and _stands_bent(ask):
-        from flexcli.parts.modes_at_stroke import structures_at_stroke
+    on_way = list[Structure]()
+    beside = _stiffened_by_loads(ask)
+    if not stands_in and beside is not None and _stands_bent(ask):
+        from flexcli.parts.modes_at_stroke import structures_at_stroke, unlike_beams
         from flexcli.parts.requirements.pushed_by_peaks import bent_by_stroke
 
-        at_ends = structures_at_stroke(ask, bases)
-        if at_ends is None:
-            stressed = bent_by_stroke(ask)
-        # on its way it is between both ends and rest
-        bases = [*(at_ends or ()), *bases]
+        ways = structures_at_stroke(ask, bases)
+        stressed = bent_by_stroke(ask) if ways is None else unlike_beams(ask)
+        if ways is not None:
+            on_way = [each.stiffened(factor) for each in _on_their_ways(ways, frequencies, factor)]
+            bases = [*(way[-1] for way in ways), *bases]
     structure = bases[0].stiffened(factor)
     off = ask.joint_model.error(ask, QuantityKind.STIFFNESS)
-    if off is None or geometry.has_limbs(elastic, sizes):
-        return Uncertain(structure, None)
-    beside = _stiffened_by_loads(ask)
-    if beside is None:
+    if off is None or beside is None or geometry.has_limbs(elastic, sizes):
         return Uncertain(structure, None)
     ends = [factor * (1.0 + a) * (1.0 + b) for a, b in zip(off, beside, strict=True)]
-    if _leaves_its_motion(ask):
+    if _leaves_its_motion(ask) or on_way:
         # what stretches the blades is no softer or stiffer by their width, but by their clamps
         least, most = map(float, ask.geometry.crossed(ask.sizes))
         ends += [most, least / (1.0 + ask.clamp_softening)]
+    flat = 0.0
+    if ask.scene.standing is not None:
+        from flexcli.parts.requirements.pushed_by_peaks import flattened_by_stroke
+
+        flat = flattened_by_stroke(ask, plain)
     low = max(min(ends), 0.0) * (1.0 + changed.low)
-    high = max(ends) * (1.0 + changed.high)
+    high = max(ends) * (1.0 + changed.high) * (1.0 + flat)
     if low <= 0.0 or high == inf:
         return Uncertain(structure, None)
-    others = []
+    others = list(on_way)
     for base in bases:
         onto = sorted(set(_onto(base, frequencies, low, high)))
         chosen = {*np.linspace(low, high, STEPS).tolist(), *onto[:: 1 + len(onto) // MOST_FACTORS]}
         others += [base.stiffened(each) for each in sorted(chosen)]
     stiffer = (low / factor, high / factor) if len(bases) == 1 and stressed == 0.0 else None
-    more = ErrorRange(0.0, stressed or 0.0)
-    return Uncertain(structure, tuple(others), lambda *_: more, stiffer, stressed is not None)
+    blades = geometry.blades_layout(elastic, sizes).blades
+    uneven = any(is_uneven(blade) for blade in blades)
+    more = ErrorRange(0.0, (1.0 + (stressed or 0.0)) * (1.0 + SAMPLED * uneven) - 1.0)
+    return Uncertain(
+        structure, tuple(others), lambda *_: more, stiffer, stressed is not None, tuple(on_way)
+    )
+
+
+def _on_their_ways(
+    ways: Sequence[Sequence[Structure]], frequencies: tuple[float, ...], factor: float
+) -> Iterator[Structure]:
+    """Yield structures on the ways of a stroke to its ends, and those whose modes meet frequencies.
+
+    Their stiffness is so many times as large by a ``factor``, without which they are given.
+    """
+    met = list[tuple[Structure, Structure, int, float]]()
+    for way in ways:
+        yield from way[:-1]
+        modes = [_frequencies(each, factor) for each in way]
+        for k in range(len(way) - 1):
+            for mode, both in enumerate(zip(modes[k], modes[k + 1], strict=False)):
+                met += [
+                    (way[k], way[k + 1], mode, frequency)
+                    for frequency in frequencies
+                    if min(both) < frequency < max(both)
+                ]
+    for one, other, mode, frequency in met[:: 1 + len(met) // MOST_FACTORS]:
+        rises = _frequencies(one, factor)[mode] < frequency
+        low, high = 0.0, 1.0
+        for _ in range(HALVED):
+            share = (low + high) / 2.0
+            before = (_frequencies(one.mixed(other, share), factor)[mode] < frequency) == rises
+            low, high = (share, high) if before else (low, share)
+        yield one.mixed(other, (low + high) / 2.0)
+
+
+def _frequencies(structure: Structure, factor: float) -> Floats:
+    """Return the lowest frequencies of a structure of so many times its stiffness [Hz]."""
+    modes = natural_modes(factor * structure.stiffness, structure.mass)
+    return modes.angular[:MOST_MODES] / (2.0 * pi)
 
 
 def _in_space(ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange) -> Uncertain:
@@ -255,9 +319,11 @@ def _in_space(ask: Ask, frequencies: tuple[float, ...], changed: ErrorRange) -> 
 
 
 def _stands_bent(ask: Ask) -> bool:
-    """Return whether a stroke stands beside a vibration of more than the mechanism's own motion."""
-    standing = ask.scene.standing
-    return standing is not None and standing.moves and _leaves_its_motion(ask)
+    """Return whether a stroke stands beside a vibration.
+
+    One of the mechanism's own motion alone moves blades that are bent along themselves as well.
+    """
+    return ask.scene.standing is not None and ask.scene.standing.moves
 
 
 def _stiffened_by_loads(ask: Ask) -> ErrorRange | None:

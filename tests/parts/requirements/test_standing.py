@@ -48,7 +48,9 @@ def test_the_stress_that_stands_is_added_to_that_of_the_modes(shakes, stands):
     alone, _ = row(shakes)
     beside, _ = row(shakes, STANDS[stands])
     static, _ = row(shakes, STANDS[stands], "yield: 1")
-    assert beside.demand == pytest.approx(alone.demand + static.demand, rel=1e-3)
+    # a stroke moves the modes a little
+    within = 5e-3 if stands == "stroke" else 1e-3
+    assert beside.demand == pytest.approx(alone.demand + static.demand, rel=within)
     assert "what stands beside it" in beside.quantity
 
 
