@@ -47,7 +47,7 @@ def lateral_factor(ask: Ask, *, as_stated: bool) -> Number:
         layout = scene.temperature.warmed(layout, ask.material, ask.geometry.axes)
     if layout.G is None:
         layout = replace(layout, G=layout.E / SOFTEST)
-    if layout.supports or layout.guides:
+    if layout.supports:
         return 0.0
     groups = list(_groups(ask, layout))
     if not groups and scene.temperature is None:

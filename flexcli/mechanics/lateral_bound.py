@@ -59,7 +59,8 @@ def lateral_bound(
     Parameters
     ----------
     layout : Layout
-        The mechanism, with G, without guides or springs; numbers may be of many designs.
+        The mechanism, with G, without springs; numbers may be of many designs. What ideal joints
+        guide in the plane is free out of it.
     groups : sequence of sequence of Load
         Loads that act together; each group acts in either sense.
     directed : bool
@@ -97,13 +98,16 @@ def lateral_bound(
     blades = [_Strip.of(layout, blade, many) for blade in layout.blades]
     plane = _assembled([(blade.in_plane, blade.rows_in_plane) for blade in blades])
     moves = len(travels) > 0
-    strokes = _moved(plane, driven, travels) if moves else [np.zeros(plane.shape[:-1])]
+    guided = _guided(layout)
+    strokes = [np.zeros(plane.shape[:-1])]
+    if moves:
+        strokes = _moved(plane, driven, guided, travels)
     pulls = [_pull(layout, group, many) for group in groups]
     senses = [(1.0,) if directed and k == 0 else (1.0, -1.0) for k in range(len(groups))]
     least = np.full(plane.shape[0], np.inf)
     misfit = np.sum([blade.growing for blade in blades], axis=0)
     for locked in (False, True)[: 1 + moves]:
-        held = driven if locked else None
+        held = [*guided, driven] if locked else guided
         moved, grown = [_under(plane, pull, held) for pull in pulls], _under(plane, misfit, held)
         for signs in product(*senses):
             by_loads = sum((s * each for s, each in zip(signs, moved, strict=True)), grown)
@@ -375,17 +379,29 @@ def _designs(layout: Layout, groups: Sequence[Sequence[Load]], travels: Sequence
     return max(np.size(np.asarray(each)) for each in numbers)
 
 
-def _under(plane: Floats, pull: Floats, locked: int | None) -> Floats:
-    """Return the coordinates of the plane under forces on them, one of them locked or none."""
-    free = [i for i in range(plane.shape[1]) if i != locked]
+def _guided(layout: Layout) -> tuple[int, ...]:
+    """Return the coordinates of the plane that ideal joints hold."""
+    each = (
+        (3 * layout.index(name) + k, held)
+        for name, holds in layout.guides.items()
+        for k, held in enumerate(holds)
+    )
+    return tuple(k for k, held in each if held)
+
+
+def _under(plane: Floats, pull: Floats, locked: Sequence[int]) -> Floats:
+    """Return the coordinates of the plane under forces on them, some of them locked."""
+    free = [i for i in range(plane.shape[1]) if i not in locked]
     found = np.zeros_like(pull)
     found[:, free] = np.linalg.solve(plane[:, free][:, :, free], pull[:, free, None])[:, :, 0]
     return found
 
 
-def _moved(plane: Floats, driven: int, travels: Sequence[Any]) -> list[Floats]:
-    """Return the coordinates of the plane at each travel, all else free."""
-    unit = _under(plane, -plane[:, :, driven], driven)
+def _moved(
+    plane: Floats, driven: int, guided: Sequence[int], travels: Sequence[Any]
+) -> list[Floats]:
+    """Return the coordinates of the plane at each travel, all but what is guided free."""
+    unit = _under(plane, -plane[:, :, driven], [*guided, driven])
     unit[:, driven] = 1.0
     return [np.asarray(travel, np.float64).reshape(-1, 1) * unit for travel in travels]
 

@@ -70,3 +70,27 @@ def test_a_joint_of_a_crystal_keeps_its_stiffness_beside_a_force_out_of_its_plan
         for case in ({"wrench": {"x": "1 N"}}, {"wrench": {"x": "1 N", "z": "1e-9 N"}})
     )
     assert both.factor_range == pytest.approx(alone.factor_range, rel=1e-9)
+
+
+def linkage():
+    """Return a crank, a rod and a stage on wide crossed blades; one joint hardly turns."""
+    pivot = {"kind": "cross-spring", "delta": -0.5, "half_angle": "45 deg", "h": "0.3 mm",
+             "l": "8 mm", "b": "14 mm"}  # fmt: skip
+    at = {"theta": ["0 mm", "0 mm"], "beta": ["0 mm", "24 mm"], "alpha": ["-24 mm", "24 mm"]}
+    links = {"theta": ["crank", "base"], "beta": ["rod", "crank"], "alpha": ["rod", "stage"]}
+    joints = {name: {"links": links[name], "at": at[name], "flexure": pivot} for name in at}
+    joints["z"] = {"links": ["base", "stage"], "along": [1, 0]}
+    return {"kind": "linkage", "ground": "base", "input": "theta", "joints": joints}
+
+
+def test_the_mean_of_a_stroke_counts_wide_blades_beside_a_moment_along_it():
+    def yields(**more):
+        spec = {"flexure": 1, "title": "linkage", "material": MATERIAL, "geometry": linkage(),
+                "cases": {"work": {"stroke": {"rotation": "0.15 rad"}, **more}},
+                "requirements": {"yield": 1.0}}  # fmt: skip
+        found = flexcli.verdicts(yaml.safe_dump(spec), model="exact").checks
+        return {check.name: check for check in found if check.kind is not None}
+
+    alone, both = yields(), yields(wrench={"theta_z": "1e-15 N*m"})
+    for name, check in alone.items():
+        assert both[name].factor_range[0] <= check.factor_range[0] * (1.0 + 1e-3)

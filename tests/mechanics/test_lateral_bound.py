@@ -182,6 +182,18 @@ def test_a_blade_that_grows_between_held_bodies_bears_eulers_strain():
     assert float(less) < float(found) / 4.0
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_what_an_ideal_joint_guides_in_the_plane_may_leave_it(seed):
+    layout, load = random_joint(np.random.default_rng(seed))
+    found = bound(replace(layout, guides={"tip": (False, True, False)}), load)
+    space = from_plane(layout, "tip", turns=False, density=0.0)
+    acting = SpaceLoad("tip", (*load.point, 0.0), (*load.force, 0.0), (0.0, 0.0, load.moment))
+    true = straight_critical_factor(
+        space, {"tip": [None, 0.0, None, None, None, None]}, [acting], most=1e3 * found
+    )
+    assert found < true * (1.0 + 2e-3)
+
+
 def test_many_designs_are_as_each_alone():
     load = Load("tip", (20e-3, 0.0), (-1.0, 0.5))
     widths, travels = np.array([1e-3, 2e-3, 5e-3]), np.array([0.1e-3, 0.5e-3, 2e-3])
