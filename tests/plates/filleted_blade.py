@@ -106,9 +106,10 @@ def edge_stresses(r, straight, *, body=None, nu=0.3):
     )
 
 
+@cache
 def _stiffness(r, half, body, nu):
     places, _, K = _assembled(_maps(r, half, body), nu)
-    return [stiffness for _, stiffness in _moved(places, K, half)]
+    return tuple(stiffness for _, stiffness in _moved(places, K, half))
 
 
 def _moved(places, K, half):
