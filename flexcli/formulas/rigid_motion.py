@@ -42,8 +42,8 @@ def motion_at(offset: ArrayLike) -> Floats:
 
     """
     r = np.asarray(offset, dtype=np.float64)
-    X = np.zeros((*r.shape[:-1], 6, 6))
-    X[..., range(6), range(6)] = 1.0
+    X = np.empty((*r.shape[:-1], 6, 6))
+    X[...] = np.eye(6)
     for row, turn, along in ((0, 4, 2), (1, 5, 0), (2, 3, 1)):
         X[..., row, turn] = r[..., along]
         # the mirror image of the row: (θ × r) has each pair of axes twice, with opposite signs

@@ -1,6 +1,7 @@
 """Many exact responses of one linear system, evaluated at once."""
 
 from collections.abc import Callable, Sequence
+from copy import copy
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +35,13 @@ class ResponseBatch:
         self._forced = [
             _padded([r.forced[j] for r in responses], most) for j in range(self.roots.size)
         ]
+
+    def of(self, rows: NDArray[np.intp]) -> "ResponseBatch":
+        """Return the responses of some rows, of some more than once if they are named so."""
+        found = copy(self)
+        found._rates, found._signal = self._rates[rows], self._signal[rows]
+        found._own, found._forced = self._own[rows], [each[rows] for each in self._forced]
+        return found
 
     def amplitudes(self, times: Floats) -> Complexes:
         """Return y at times, shape (S, m, N)."""

@@ -7,6 +7,7 @@ elements, direct integration, and the twins of ``tests/twins``.
 import json
 import tempfile
 from collections.abc import Callable
+from functools import cache
 from math import degrees, isclose
 from pathlib import Path
 from typing import NamedTuple
@@ -46,6 +47,7 @@ class Said(NamedTuple):
         return self.found["values"][name]["value"]
 
 
+@cache  # several statements are made of what one command said
 def run(spec, words):
     """Run a command on a spec of this folder; a bug of ours is not caught."""
     return ran(str(HERE / f"{spec}.yaml"), words)._replace(spec=spec)

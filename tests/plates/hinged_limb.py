@@ -40,7 +40,10 @@ def solid(*, e, l, block, rise=0.0, nu=0.3):
 
     They are higher by a share ``rise`` at their ends.
     """
-    X, Z, number, elements, (g, w), strain, elastic, K = assembled(_columns(e, l, block, rise), nu)
+    X, Z, number, elements, (g, w), slopes, strain, elastic, K = assembled(
+        _columns(e, l, block, rise), nu
+    )
+    inside, on_edge = slopes(g, g), slopes(np.linspace(-1.0, 1.0, 15), np.array([1.0]))
     count, far, axis = X.size, number[-1], number[:, 0]
     odd, level = (axis, number[0]), (axis, number[0] + count)
 
@@ -60,7 +63,7 @@ def solid(*, e, l, block, rise=0.0, nu=0.3):
         total = 0.0
         for where in elements:
             ids = number[where].ravel()
-            B, area = strain(ids, (g, g))
+            B, area = strain(ids, inside)
             d_x, d_z = B[:, 0, : ids.size], B[:, 2, : ids.size]
             at_x, at_z = (
                 np.stack([d @ motion[ids], d @ motion[ids + count]], axis=1) for d in (d_x, d_z)
@@ -78,7 +81,7 @@ def solid(*, e, l, block, rise=0.0, nu=0.3):
         traces = []
         for start in range(0, len(X) - 1, DEGREE):
             ids = number[start : start + DEGREE + 1, -DEGREE - 1 :].ravel()
-            B, _ = strain(ids, (np.linspace(-1.0, 1.0, 15), np.array([1.0])))
+            B, _ = strain(ids, on_edge)
             stress = B @ np.concatenate([motion[ids], motion[ids + count]]) @ elastic
             traces.append(stress[:, 0] + stress[:, 1])  # a free edge is pulled along itself
         return np.concatenate(traces)

@@ -66,7 +66,8 @@ def turn_beyond_beam(edges, *, block, rise=0.0, nu=0.3):
 def peaks_over_nominal(edges, *, block, rise=0.0):
     """Return the largest stress along the edge over that in the throat: in bending, stretched."""
     h = 2 * edges[0](0.0)[1]
-    bent, stretched = (_solid(edges, block, rise, 0.3, stretch)[::2] for stretch in (False, True))
+    part = assembled(_columns(edges, block, rise), 0.3)
+    bent, stretched = (_loaded(*part, stretch)[::2] for stretch in (False, True))
     return bent[1] / (6 * 2 * bent[0] / h**2), stretched[1] / (2 * stretched[0] / h)
 
 
@@ -76,9 +77,8 @@ def shift_over_beam(edges, *, block, rise=0.0):
     An end that turns by 1 comes nearer by the work of an axial force of 1 on what the rotation
     strains to second order; rigid, it would turn about the throat.
     """
-    (x, bent, _), (_, pulled, force) = (
-        _solid_fields(edges, block, rise, stretch) for stretch in (False, True)
-    )
+    part = assembled(_columns(edges, block, rise), 0.3)
+    (x, bent, _), (_, pulled, force) = (_fields(*part, stretch) for stretch in (False, True))
     squares = sum(
         weight * stress @ [g[0] @ g[0] / 2, g[1] @ g[1] / 2, g[0] @ g[1]]
         for (weight, g, _), (_, _, stress) in zip(bent, pulled, strict=True)
@@ -136,7 +136,7 @@ def _columns(edges, block, rise):
 
 
 def assembled(columns, nu):
-    """Return the places of all nodes, their numbers, the elements, strain, elastic law and K.
+    """Return the places of all nodes, their numbers, elements, slopes, strain, elastic law and K.
 
     A column of elements stands from the axis to the edge: s → (x on the axis, x and z on the edge),
     and from which to which s.
@@ -165,12 +165,16 @@ def assembled(columns, nu):
         for i, j in product(range(len(columns)), range(ACROSS)):
             yield slice(i * p, i * p + p + 1), slice(j * p, j * p + p + 1)
 
-    def strain(ids, at):
-        """Return the strains by the motions of an element's nodes, and the area, at s × t."""
-        N = [
-            np.einsum("ai,bj->abij", shape(at[0], m), shape(at[1], n)).reshape(-1, ids.size)
+    def slopes(s, t):
+        """Return the slopes along s and t of the functions of all nodes of an element, at s × t."""
+        along, across = ([shape(at, order) for order in (0, 1)] for at in (s, t))
+        return [
+            np.einsum("ai,bj->abij", along[m], across[n]).reshape(len(s) * len(t), -1)
             for m, n in ((1, 0), (0, 1))
         ]
+
+    def strain(ids, N):
+        """Return the strains by the motions of an element's nodes, and the area, by its slopes."""
         x, z = X.ravel()[ids], Z.ravel()[ids]
         (x_s, x_t), (z_s, z_t) = ([n @ each for n in N] for each in (x, z))
         area = x_s * z_t - x_t * z_s
@@ -182,10 +186,10 @@ def assembled(columns, nu):
         return np.stack(rows, axis=1), area
 
     elastic = np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]]) / (1 - nu**2)
-    rows, cols, entries = [], [], []
+    inside, rows, cols, entries = slopes(g, g), [], [], []
     for where in blocks():
         ids = number[where].ravel()
-        B, area = strain(ids, (g, g))
+        B, area = strain(ids, inside)
         k = np.einsum(
             "q,qai,ab,qbj->ij", np.outer(w, w).ravel() * area, B, elastic, B, optimize=True
         )
@@ -195,7 +199,7 @@ def assembled(columns, nu):
         entries.append(k.ravel())
     found = (np.concatenate(rows), np.concatenate(cols))
     K = coo_matrix((np.concatenate(entries), found), (2 * X.size, 2 * X.size)).tocsc()
-    return X, Z, number, list(blocks()), (g, w), strain, elastic, K
+    return X, Z, number, list(blocks()), (g, w), slopes, strain, elastic, K
 
 
 def _moved(X, Z, number, K, stretch):
@@ -210,13 +214,17 @@ def _moved(X, Z, number, K, stretch):
     return u
 
 
-def _solid(edges, block, rise, nu, stretch=False):
-    X, Z, number, _, _, strain, elastic, K = assembled(_columns(edges, block, rise), nu)
+def _solid(edges, block, rise, nu):
+    return _loaded(*assembled(_columns(edges, block, rise), nu), stretch=False)
+
+
+def _loaded(X, Z, number, blocks, rule, slopes, strain, elastic, K, stretch):
+    """Return the stiffness of a quarter, the stress of its throat and the peak along its edge."""
     u, p = _moved(X, Z, number, K, stretch), DEGREE
-    peaks = []
+    peaks, edge = [], slopes(np.linspace(-1.0, 1.0, 25), np.array([1.0]))
     for i in range((len(X) - 1) // p):
         ids = number[i * p : i * p + p + 1, -p - 1 :].ravel()
-        B, _ = strain(ids, (np.linspace(-1.0, 1.0, 25), np.array([1.0])))
+        B, _ = strain(ids, edge)
         x, z, shear = (elastic @ B @ np.concatenate([u[ids], u[ids + X.size]])).T
         peaks.append(np.abs(x + z) / 2 + np.hypot((x - z) / 2, shear))
         if i == 0:
@@ -224,13 +232,13 @@ def _solid(edges, block, rise, nu, stretch=False):
     return u @ (K @ u), throat, np.max(peaks)
 
 
-def _solid_fields(edges, block, rise, stretch):
+def _fields(X, Z, number, blocks, rule, slopes, strain, elastic, K, stretch):
     """Return x of the end, weight, gradient and stress at points, and what an end's force is."""
-    X, Z, number, blocks, (g, w), strain, elastic, K = assembled(_columns(edges, block, rise), 0.3)
-    u, points = _moved(X, Z, number, K, stretch), []
+    g, w = rule
+    u, points, inside = _moved(X, Z, number, K, stretch), [], slopes(g, g)
     for where in blocks:
         ids = number[where].ravel()
-        B, area = strain(ids, (g, g))
+        B, area = strain(ids, inside)
         n = ids.size
         # the rows of B are u_x, w_z and u_z + w_x
         d_x, d_z = B[:, 0, :n], B[:, 2, :n]

@@ -4,6 +4,7 @@ Products of two such lines are the trial functions of a plate. Knots that crowd 
 towards an edge follow the singularities in its corners.
 """
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -43,34 +44,30 @@ class Basis(NamedTuple):
         return rows
 
     def _local(self, u, length, order):
-        columns = []
-        for index, c in enumerate(_shapes(self.bubbles)):
-            scale = length / 2.0 if index in (1, 3) else 1.0
-            found = legendre.legval(u, legendre.legder(c, order) if order else c)
-            columns.append(scale * found * (2.0 / length) ** order)
-        return np.array(columns).T
+        return _scaled(_values(u, self.bubbles, order), length, order)
 
     def products(self, i, j):
         """Return ∫ f⁽ⁱ⁾ f⁽ʲ⁾ dx of all pairs of functions."""
         found = np.zeros((self.size, self.size))
-        for place, u, w, length, _ in self._elements():
-            left, right = (self._local(u, length, order) for order in (i, j))
-            found[np.ix_(place, place)] += (left.T * w) @ right
+        left, right = (_at_gauss(self.bubbles, order) for order in (i, j))
+        for place, w, length, _ in self._elements():
+            one = _scaled(left, length, i).T * w
+            found[np.ix_(place, place)] += one @ _scaled(right, length, j)
         return found
 
     def moments(self, order, load):
         """Return ∫ f⁽ᵒʳᵈᵉʳ⁾ load(x) dx of all functions."""
-        found = np.zeros(self.size)
-        for place, u, w, length, x in self._elements():
-            found[place] += self._local(u, length, order).T @ (w * load(x))
+        found, values = np.zeros(self.size), _at_gauss(self.bubbles, order)
+        for place, w, length, x in self._elements():
+            found[place] += _scaled(values, length, order).T @ (w * load(x))
         return found
 
     def _elements(self):
-        u, gauss = legendre.leggauss(self.bubbles + 6)
+        u, gauss = _gauss(self.bubbles + 6)
         for element, (start, end) in enumerate(zip(self.knots[:-1], self.knots[1:], strict=True)):
             length = end - start
             x = start + (u + 1.0) * length / 2.0
-            yield self.places(element), u, gauss * length / 2.0, length, x
+            yield self.places(element), gauss * length / 2.0, length, x
 
 
 def smooth_basis(knots, bubbles):
@@ -87,6 +84,29 @@ def graded(length, scale, levels, *, both):
     return np.unique(np.concatenate([[0.0], start, end, [length]]))
 
 
+_gauss = cache(legendre.leggauss)
+
+
+def _values(u, bubbles, order):
+    """Return a derivative by u of the functions of an element at places (places, functions)."""
+    each = [legendre.legder(c, order) if order else c for c in _shapes(bubbles)]
+    return np.array([legendre.legval(u, c) for c in each]).T
+
+
+@cache
+def _at_gauss(bubbles, order):
+    """Return these at the nodes of the rule that integrates products; shared, do not write."""
+    return _values(_gauss(bubbles + 6)[0], bubbles, order)
+
+
+def _scaled(values, length, order):
+    """Return the derivative by x on an element of a length; slopes at its ends are by x."""
+    found = values * (2.0 / length) ** order
+    found[:, [1, 3]] *= length / 2.0
+    return found
+
+
+@cache
 def _shapes(bubbles):
     """Return Legendre coefficients of Hermite's four cubics and of the bubbles, on [−1, 1]."""
     cubics = [[2, -3, 0, 1], [1, -1, -1, 1], [2, 3, 0, -1], [-1, -1, 1, 1]]

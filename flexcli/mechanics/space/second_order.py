@@ -398,25 +398,21 @@ class _Quadratic:
         xi = NODES[:, None]
         rise, sink = (6.0 * xi - 6.0 * xi**2) / l, 3.0 * xi**2 - 2.0 * xi
         rise_, sink_ = (6.0 - 12.0 * xi) / l**2, (6.0 * xi - 2.0) / l
-        theta = np.stack(
-            [
-                xi * turned[0],
-                -(rise * first[2] - sink * turned[1]),
-                rise * first[1] + sink * turned[2],
-            ]
+        theta = _rows(
+            xi * turned[0],
+            -(rise * first[2] - sink * turned[1]),
+            rise * first[1] + sink * turned[2],
         )
-        rate = np.stack(
-            [
-                np.ones_like(xi) * turned[0] / l,
-                -(rise_ * first[2] - sink_ * turned[1]),
-                rise_ * first[1] + sink_ * turned[2],
-            ]
+        rate = _rows(
+            np.ones_like(xi) * turned[0] / l,
+            -(rise_ * first[2] - sink_ * turned[1]),
+            rise_ * first[1] + sink_ * turned[2],
         )
         w = (WEIGHTS * l)[:, None]
         if inner is not None:
             twist, about_y, about_z = inner[:2], inner[2:4], inner[4:]
-            theta += np.stack([TWIST @ twist, -BEND_SLOPE @ about_y, BEND_SLOPE @ about_z])
-            rate += np.stack([TWIST_RATE @ twist, -BEND_RATE @ about_y, BEND_RATE @ about_z]) / l
+            theta += _rows(TWIST @ twist, -BEND_SLOPE @ about_y, BEND_SLOPE @ about_z)
+            rate += _rows(TWIST_RATE @ twist, -BEND_RATE @ about_y, BEND_RATE @ about_z) / l
         spin = _cross(theta, rate) / 2.0
         # ∫₀ˡ∫₀ˢ f = ∫ (l − s) f
         twice = (l * (1.0 - xi)) * w * spin
@@ -425,15 +421,20 @@ class _Quadratic:
         stretch = stretch + self.gyration * (w * rate[0] ** 2).sum(axis=0) / 2.0
         across = -twice[2].sum(axis=0) - (w * theta[0] * theta[1]).sum(axis=0) / 2.0
         aside = twice[1].sum(axis=0) - (w * theta[0] * theta[2]).sum(axis=0) / 2.0
-        shift = shift + np.stack([stretch, across, aside])
+        shift = shift + _rows(stretch, across, aside)
         return np.asarray(self.to_springs @ np.concatenate([shift, turn]))
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
     # np.cross spends most of its time on its axes, and this is called for every blade and step
-    found: Floats = np.stack(
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    )
+    (a_x, a_y, a_z), (b_x, b_y, b_z) = a, b
+    return _rows(a_y * b_z - a_z * b_y, a_z * b_x - a_x * b_z, a_x * b_y - a_y * b_x)
+
+
+def _rows(x: Floats, y: Floats, z: Floats) -> Floats:
+    """Return three components of one shape as an array; np.stack looks at them for longer."""
+    found = np.empty((3, *x.shape))
+    found[0], found[1], found[2] = x, y, z
     return found
 
 

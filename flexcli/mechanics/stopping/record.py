@@ -268,19 +268,25 @@ class Record:
         y: NDArray[np.complex128],
         a: Floats,
     ) -> None:
-        """Refine the greatest values of each segment."""
-        samples = self._outputs(phase, y, a)
+        """Refine the greatest values of the segments that may have them, all at once."""
+        names, outputs, signs = zip(*_PEAK_ROWS, strict=True)
+        of, sign = np.array(outputs), np.array(signs)
+        samples = sign[:, None, None] * np.stack(self._outputs(phase, y, a))[of]
+        tops = samples.max(axis=-1)
+        known = np.array([self._most[name] for name in names])
+        best = np.maximum(known, tops.max(axis=1))
+        rows, segments = np.nonzero(tops > _LEAST_SHARE * best[:, None])
+        if rows.size == 0:
+            return
+        some, of, sign = batch.of(segments), of[rows], sign[rows, None]
 
-        def refined(index: int, sign: float) -> float:
-            def function(t: Floats) -> Floats:
-                return sign * self._outputs(phase, batch.amplitudes(t), batch.signal(t))[index]
+        def function(t: Floats) -> Floats:
+            found = np.stack(self._outputs(phase, some.amplitudes(t), some.signal(t)))
+            return np.asarray(sign * found[of, np.arange(of.size)])
 
-            return float(greatest_values(function, times, sign * samples[index])[0].max())
-
-        for name, index, sign in _PEAK_ROWS:
-            hopeless = _LEAST_SHARE * self._most[name]
-            if float((sign * samples[index]).max()) > hopeless:
-                self._most[name] = max(self._most[name], refined(index, sign))
+        found, _ = greatest_values(function, times[segments], samples[rows, segments])
+        for row, value in zip(rows.tolist(), found.tolist(), strict=True):
+            self._most[names[row]] = max(self._most[names[row]], value)
 
     def add_hertz(self, found: HertzPass, side: int, start: float, contact: int) -> None:
         """Take a pass through a Hertzian contact; its peaks are crests through its samples."""

@@ -141,12 +141,14 @@ def condense(mesh: Mesh, z: Floats, f: Floats) -> Condensed:
     far = (mesh.back @ Q.reshape(B, K, 9)).reshape(B, K, 3, 3)
     by_f = np.concatenate([by_m @ skew(mesh.back @ rate) + by_lever @ far, by_m], axis=-1)
     by_f[..., 3, :3] += polar[..., None] * axis
-    through = by_lever[:, :, None] @ P[:, None]
-    through *= mesh.back[..., None, None]
-    j = np.arange(K)
-    through[:, j, j] += by_z
     # rows (component, node), columns (node, component)
-    rows = np.ascontiguousarray(np.moveaxis(through, 3, 1)).reshape(B, 4, K, 4 * K)
+    ahead = np.ascontiguousarray(np.moveaxis(P, 2, 1)).reshape(B, 3, 4 * K)
+    levers = np.moveaxis(by_lever, 2, 1).reshape(B, 4 * K, 3)
+    through = (levers @ ahead).reshape(B, 4, K, K, 4)
+    through *= mesh.back[:, None, :, :, None]
+    j = np.arange(K)
+    through[:, :, j, j] += np.moveaxis(by_z, 2, 1)
+    rows = through.reshape(B, 4, K, 4 * K)
     pushed = np.moveaxis(by_f, 2, 1)
     bent, end = mesh.kinematics(q, at.kappa)
     torque = (mesh.torsion + mesh.polar * at.N[..., 0] + mesh.fibres * tau**2) * tau - at.M[..., 0]
@@ -164,7 +166,7 @@ def condense(mesh: Mesh, z: Floats, f: Floats) -> Condensed:
     followed = solve_stack(matrix.reshape(B, 4 * K, 4 * K), right.reshape(B, 4 * K, 7))
     # the end: r(1) = Σ w r', its spin Σ w θ'
     weights = mesh.w[:, None]
-    shift = (mesh.w[:, None, :, None] * np.moveaxis(P, 2, 1)).reshape(B, 3, 4 * K) @ followed
+    shift = (np.repeat(mesh.w, 4, axis=1)[:, None] * ahead) @ followed
     shift[..., 1:4] += (weights @ Q.reshape(B, K, 9)).reshape(B, 3, 3)
     spin = (weights[:, None] @ rows[:, :3])[:, :, 0] @ followed
     spin[..., 1:] += (weights[:, None] @ pushed[:, :3])[:, :, 0]

@@ -6,7 +6,7 @@ bodies that stand still are found as well.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import inf
+from math import inf, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -60,6 +60,9 @@ NEAR_STRAIGHT = 1e-3
 
 _MOVED = 0.01
 """Share by which more nodes may move a critical load: one that moves more may be another."""
+
+_ROUGHLY = 4.0
+"""Ratio of an unstable factor to a stable one, below which a matrix is nearly straight between."""
 
 _TRIES = 3
 """Shares on the straight line that may lessen what is not known by less than half, in a row."""
@@ -260,8 +263,8 @@ def straight_critical_factor(
     Notes
     -----
     The second variation is linear in the forces while nothing moves, so that what is unstable
-    stays so beyond: the factor is bisected, and where it is nearly known met on the straight line
-    through its matrix on both sides.
+    stays so beyond: the factor is bracketed by ever longer steps down, bisected, and where it is
+    roughly known met on the straight line through its matrix on both sides.
 
     """
     cold = replace(layout, body_growth={}, blade_growth={})
@@ -285,7 +288,7 @@ def straight_critical_factor(
         return Point(share, share, x, _without_poles(S, unit, assembly.blades), unstable)
 
     newest = Point(1.0, 1.0, x, _without_poles(S, unit, assembly.blades), unstable)
-    low, high, before, missed = 0.0, 1.0, 1.0, 0
+    low, high, before, missed, down = 0.0, 1.0, 1.0, 0, 0.5
     # a straight column's own load is found by its path as well: it is just below
     share = 1.0 - NEAR_STRAIGHT
     while True:
@@ -295,9 +298,14 @@ def straight_critical_factor(
         if width <= close * high or high <= _CORRECTION:
             return low * most
         missed, before = (0 if width <= before / 2.0 else missed + 1), width
-        share = (low + high) / 2.0
-        if close < NEAR_STRAIGHT and missed < _TRIES:
-            share = _beside_crossing(older, newest, (low, high), close * high / 4.0)
+        if high <= _ROUGHLY * low:
+            share = (low + high) / 2.0
+            if missed < _TRIES:
+                share = _beside_crossing(older, newest, (low, high), close * high / 4.0)
+        elif low > 0.0:
+            share = sqrt(low * high)
+        else:
+            share, down = down * high, down**2
 
 
 def _beside_crossing(

@@ -221,8 +221,8 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
         kept[6 * K + run] = True
     inner = slice(0, size) if kept.all() else np.flatnonzero(kept)
     A, B = H[inner][:, inner], H[inner, size:]
-    unit = 1.0 / np.sqrt(np.max(np.abs(A), axis=1))
-    A = unit[:, None] * A
+    unit = 1.0 / np.sqrt(np.maximum(A.max(axis=1), -A.min(axis=1)))
+    A *= unit[:, None]
     A *= unit
     B = unit[:, None] * B
     # the moments take part with minus their compliance, the closing of δτ with none
