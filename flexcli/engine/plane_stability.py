@@ -128,14 +128,12 @@ class PlaneStability:
         started, as_stated = perf_counter(), requirement.is_of_buckling
         key = ask.scene.case, as_stated, _share_asked(requirement)
         if key not in self._shares:
-            bound, found = float(self._bound(requirement, ask)), None
+            bound, given = float(self._bound(requirement, ask)), ask.material.yield_strength
+            found: CriticalShare | None = CriticalShare(bound, ask.scene.hold, None, 0.0)
             if is_held_by_blades(ask):
                 found = out_of_plane_share(ask, bound, key[2], buckling=as_stated)
-            else:
-                found = CriticalShare(bound, ask.scene.hold, None, 0.0)
-            given = ask.material.yield_strength
-            borne = None if found is None or given is None else found.borne(given.value)
-            self._shares[key] = borne or found
+            strength = None if given is None else given.value
+            self._shares[key] = None if found is None else found.borne(strength)
             took = perf_counter() - started
             self.seconds[self._model] = self.seconds.get(self._model, 0.0) + took
         return self._shares[key]
