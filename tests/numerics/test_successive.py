@@ -109,7 +109,7 @@ def test_a_posynomial_as_numbers_has_the_optimum_of_the_convex_solver(problem):
     found = descend(black_box(rows, names, len(limits)), np.zeros(len(names)))
     assert found.outcome is Outcome.CONVERGED
     # it ends where a step gains less than 1e-9, and many such may be left
-    assert found.values[0] == pytest.approx(np.log(exact.objective), abs=1e-7)
+    assert found.values[0] == pytest.approx(np.log(exact.objective), abs=2e-6)
     if exact.unique:
         x = np.array([exact.x[name] for name in names])
         # about a flat optimum that is a distance of its root
