@@ -1,6 +1,7 @@
 """What an actuator makes of a design: its stiffness, the stroke it reaches, what heat adds."""
 
 from collections.abc import Iterator
+from math import pi
 from typing import NamedTuple
 
 from flexcli.engine.models import NamedModel
@@ -19,6 +20,9 @@ SETTLED = 1e-7
 """Change of the stroke from step to step at which it is reached [-]."""
 
 STEPS = 12
+
+FARTHEST = pi
+"""Rotation beyond which no pivot is followed: blades have broken long before [rad]."""
 
 SMALL = 1e-9
 """A travel [rad or m] for a stiffness at rest in the terms of the actuator."""
@@ -64,6 +68,8 @@ def _reached(actuator: Actuator, ask: Ask) -> Reached | None:
         if not wanted > 0.0:  # the joint pulls the drive along: it holds at no stroke
             return None
         travel *= wanted / before.travel
+        if ask.geometry.motion == "rotation" and travel > FARTHEST:
+            return None
         driven = _at(actuator, ask, travel)
         if abs(driven.travel / before.travel - 1.0) <= SETTLED:
             slope = driven.force / driven.travel

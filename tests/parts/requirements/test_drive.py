@@ -1,10 +1,13 @@
 """An actuator drives the stroke: its force there against the joint's, by independent routes."""
 
+from math import pi
+
 import pytest
 import yaml
 from specs_for_tests import parallelogram
 
 import flexcli
+from flexcli.engine import drive_values
 from flexcli.errors import SpecError
 from flexcli.formulas.handbook.actuator import actuator_stroke, thermal_stroke
 from flexcli.parts.design import DesignSpec
@@ -71,7 +74,7 @@ def test_what_it_reaches_is_where_both_springs_balance():
 
 
 def test_a_drive_that_turns_the_joint_over_reaches_no_stroke():
-    """At 5.5 rad its blades pull it along."""
+    """At 5.5 rad its blades would pull it along."""
     pivot = {"kind": "three-blade", "p": "0 mm", "h": "1.37 mm", "l": "67 mm", "b": "200 mm",
              "root_radius": "2.68 mm"}  # fmt: skip
     line = {"blocking_force": "1e6 N", "free_stroke": "10 m", "drives": "both-ways", "arm": "10 mm"}
@@ -84,6 +87,23 @@ def test_a_drive_that_turns_the_joint_over_reaches_no_stroke():
 NIMBLE = {"youngs_modulus": "100 GPa", "poisson_ratio": 0.45}
 LINE = {"blocking_force": "1e6 N", "free_stroke": "10 m", "drives": "both-ways"}
 WIDE = {"h": "0.1 mm", "l": "20 mm", "b": "20 mm"}
+
+
+def test_no_pivot_is_followed_around_by_a_drive_that_would_turn_it_over_and_over(monkeypatch):
+    pivot = {"kind": "cross-spring", "h": "1 mm", "l": "6 mm", "b": "18 mm", "delta": -0.5,
+             "half_angle": "45 deg"}  # fmt: skip
+    strong = {"blocking_force": "1e6 N", "free_stroke": "10 m", "arm": "10 mm"}
+    find, travels = drive_values._at, []
+
+    def followed(actuator, ask, travel):
+        travels.append(travel)
+        return find(actuator, ask, travel)
+
+    monkeypatch.setattr(drive_values, "_at", followed)
+    result = flexcli.check(spec(pivot, {"rotation": ["0 rad", "1 mrad"]}, strong))
+    assert "k_T" in result.values
+    assert "s_reached" not in result.values
+    assert max(travels, default=0.0) < pi
 
 
 @pytest.mark.parametrize(
