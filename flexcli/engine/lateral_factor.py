@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 
 from flexcli.engine.joint_models.holds import FREE, hold_of
-from flexcli.mechanics.lateral_bound import lateral_bound, least_thickness
+from flexcli.mechanics.lateral_bound import lateral_bound
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.numerics.rows import Number, number
 from flexcli.parts.elastic import NotAvailable
@@ -100,8 +100,7 @@ def _weights(ask: Ask, layout: Layout, along_x: Number, along_y: Number) -> Iter
     weighing = [(body.name, body.com, body.mass) for body in layout.bodies]
     moving = {body.name for body in layout.bodies}
     for blade in layout.blades:
-        l = np.hypot(*np.subtract(blade.end, blade.start))
-        mass = density * blade.b * l * least_thickness(blade)
+        mass = density * blade.b * blade.length * blade.least_thickness
         weighing += [
             (name, at, mass)
             for name, at in ((blade.first, blade.start), (blade.second, blade.end))

@@ -128,12 +128,11 @@ class PlaneStability:
         started, as_stated = perf_counter(), requirement.is_of_buckling
         key = ask.scene.case, as_stated, _share_asked(requirement)
         if key not in self._shares:
-            bound, given = float(self._bound(requirement, ask)), ask.material.yield_strength
+            bound = float(self._bound(requirement, ask))
             found: CriticalShare | None = CriticalShare(bound, ask.scene.hold, None, 0.0)
             if is_held_by_blades(ask):
                 found = out_of_plane_share(ask, bound, key[2], buckling=as_stated)
-            strength = None if given is None else given.value
-            self._shares[key] = None if found is None else found.borne(strength)
+            self._shares[key] = None if found is None else found.borne(ask.material)
             took = perf_counter() - started
             self.seconds[self._model] = self.seconds.get(self._model, 0.0) + took
         return self._shares[key]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.layout import Blade, Layout, Load
 
-__all__ = ["lateral_bound", "least_thickness"]
+__all__ = ["lateral_bound"]
 
 Floats = NDArray[np.float64]
 
@@ -35,12 +35,6 @@ SHEARED = 1.2
 
 TINY = 1e-12
 """What stands for no rest of what a stroke leaves, so that nothing is divided by nothing."""
-
-
-def least_thickness(blade: Blade) -> Floats:
-    """Return the least thickness of a blade, or of each of many designs of it [m]."""
-    l = np.hypot(*np.subtract(blade.end, blade.start))
-    return blade.profile.least_thickness(l)
 
 
 def lateral_bound(
@@ -125,15 +119,16 @@ def _factor(
     blades: Sequence["_Strip"], by_loads: Floats, stroke: Floats, lever: Floats, *, tips: bool
 ) -> Floats:
     """Return the factor on loads that no blade and no body tips under, beside a stroke."""
-    used, taken, springs = 0.0 * by_loads[:, 0], 0.0 * by_loads[:, 0], []
-    for blade in blades:
-        force = blade.force(by_loads, blade.misfit)
+    used = taken = 0.0 * by_loads[:, 0]
+    forces = [blade.force(by_loads, blade.misfit) for blade in blades]
+    for blade, force in zip(blades, forces, strict=True):
         used = np.maximum(used, blade.share(force, clamped=not tips))
         taken = np.maximum(taken, blade.share(blade.force(stroke)))
-        lever = lever + blade.lever(force)
-        springs.append((blade.bent(stroke + by_loads), blade.rows_across))
     if not tips:
         return _borne(used, taken)
+    for blade, force in zip(blades, forces, strict=True):
+        lever = lever + blade.lever(force)
+    springs = [(blade.bent(stroke + by_loads), blade.rows_across) for blade in blades]
     stiffness = _assembled(springs)
     size = np.sqrt(np.einsum("dii->di", stiffness))
     unit = size[:, :, None] * size[:, None, :]
@@ -178,7 +173,7 @@ class _Strip:
         names = [body.name for body in layout.bodies]
         h, b, E, G = (
             np.broadcast_to(np.asarray(x, np.float64), designs)
-            for x in (least_thickness(blade), blade.b, layout.E, layout.G)
+            for x in (blade.least_thickness, blade.b, layout.E, layout.G)
         )
         chord = _vector(blade.end, designs) - _vector(blade.start, designs)
         l = np.linalg.norm(chord, axis=-1)
@@ -373,7 +368,7 @@ def _designs(layout: Layout, groups: Sequence[Sequence[Load]], travels: Sequence
     for body in layout.bodies:
         numbers += body.point
     for blade in layout.blades:
-        numbers += [*blade.start, *blade.end, blade.b, least_thickness(blade)]
+        numbers += [*blade.start, *blade.end, blade.b, blade.least_thickness]
     for load in (load for group in groups for load in group):
         numbers += [*load.point, *load.force, load.moment]
     return max(np.size(np.asarray(each)) for each in numbers)

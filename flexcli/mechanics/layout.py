@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, TypeAlias
 
+import numpy as np
+
 from flexcli.formulas.profile import Profile
 
 __all__ = ["Blade", "Body", "Layout", "Load", "Number", "Point", "Support"]
@@ -55,6 +57,16 @@ class Blade:
     peak: tuple[Number, Number] = (1.0, 1.0)
     crossed: tuple[Number, Number] = (1.0, 1.0)
     shared: tuple[Number, Number] = (0.0, 0.0)
+
+    @property
+    def length(self) -> Number:
+        """Return its length, or that of each of many designs of it [m]."""
+        return np.hypot(*np.subtract(self.end, self.start))
+
+    @property
+    def least_thickness(self) -> Number:
+        """Return its least thickness, or that of each of many designs of it [m]."""
+        return self.profile.least_thickness(self.length)
 
 
 class Support(NamedTuple):

@@ -24,8 +24,8 @@ _FINE = np.linspace(-1.0, 1.0, 513)
 
 def is_uneven(blade: Blade) -> bool:
     """Return whether a blade has a piece whose thickness is not the same everywhere."""
-    l = float(np.hypot(*np.subtract(blade.end, blade.start)))
-    return not all(piece.is_uniform for piece in blade.profile.pieces(l))
+    pieces = blade.profile.pieces(float(blade.length))
+    return not all(piece.is_uniform for piece in pieces)
 
 
 def stress_places(piece: Piece) -> Floats:

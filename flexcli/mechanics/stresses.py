@@ -175,7 +175,7 @@ def beside_beam_rows(
     if across is None:
         return np.zeros_like(bending), ()
     more, off, reach = (float(np.ravel(each)[0]) for each in across)
-    middle = float(np.hypot(*np.subtract(blade.end, blade.start))) / 2.0
+    middle = float(blade.length) / 2.0
     after = int(np.searchsorted(s, middle))
     before = max(after - 1, 0)
     share = (middle - s[before]) / (s[after] - s[before]) if s[after] > s[before] else 0.0

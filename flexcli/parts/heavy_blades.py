@@ -1,6 +1,6 @@
 """The mass of the blades in a frequency and in a sag."""
 
-from math import hypot, inf, sqrt
+from math import inf, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -193,7 +193,7 @@ def _bent(setting: Setting, density: float) -> _Bent | None:
 
 def _along(blade: Blade, bending: Floats) -> _Bent:
     """Return where a hinge bends, given its bending stress along every piece."""
-    l = hypot(*np.subtract(blade.end, blade.start))
+    l = float(blade.length)
     pieces = blade.profile.pieces(l)
     looked = [(piece, stress_places(piece)) for piece in pieces]
     places = np.concatenate([piece.position(u) for piece, u in looked])
@@ -290,7 +290,7 @@ def _sections(setting: Setting) -> float:
     """Return the share of the blades' part that their sections' inertia and shear may change."""
     layout = setting.geometry.blades_layout(setting.material.elastic, setting.sizes)
     most = max(
-        volume / (blade.b * hypot(*np.subtract(blade.end, blade.start)) ** 2)
+        volume / (blade.b * float(blade.length) ** 2)
         for blade, volume in zip(layout.blades, blade_masses(layout, 1.0), strict=True)
     )
     return float(SECTION * most**2)

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Piece
 from flexcli.mechanics.equilibrium import solve
-from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.layout import Blade, Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.state import Equilibrium
@@ -222,8 +221,8 @@ def _slopes(
 
 def _steps(layout: Layout) -> Floats:
     """Return the steps of the differences along and about each body's axes (3 bodies,)."""
-    lengths = [float(np.hypot(*np.subtract(b.end, b.start))) for b in layout.blades]
-    thin = [float(least_thickness(blade)) for blade in layout.blades]
+    lengths = [float(blade.length) for blade in layout.blades]
+    thin = [float(blade.least_thickness) for blade in layout.blades]
     small, found = min(h**2 / l for h, l in zip(thin, lengths, strict=True)), list[float]()
     for body in layout.bodies:
         ends = [
@@ -248,12 +247,11 @@ def _between(blade: Blade) -> Floats:
     The moment of small motion is linear along a piece, and that of what swings inside a blade is
     taken to be so.
     """
-    l = float(np.hypot(*np.subtract(blade.end, blade.start)))
     parts = [
         np.stack([1.0 - BENT, 1.0 + BENT], axis=1) / 2.0
         if piece.is_uniform
         else np.eye(stress_places(piece).size)
-        for piece in blade.profile.pieces(l)
+        for piece in blade.profile.pieces(float(blade.length))
     ]
     return _diagonal(parts)
 

@@ -186,6 +186,11 @@ class Scene(NamedTuple):
         return "its stroke kept by a force" if self.moves and not self.on_bodies else self.hold
 
     @property
+    def ends_and_rest(self) -> tuple[float, ...]:
+        """Return the travels that a case may stand at: the ends of its stroke, and rest."""
+        return tuple(dict.fromkeys((*self.stroke_ends, 0.0)))
+
+    @property
     def stroke_ends(self) -> tuple[float, float]:
         """Return the travels of both ends of the stroke, rest without one [m or rad]."""
         return self.middle + self.travel, self.middle - self.travel

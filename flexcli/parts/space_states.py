@@ -47,6 +47,7 @@ __all__ = [
     "Place",
     "StrokeEnd",
     "acting_groups",
+    "acting_together",
     "bent_by_gradient",
     "hinge_error_of",
     "hinge_stress_error",
@@ -158,6 +159,23 @@ def senses(scene: Scene, groups: int) -> Iterator[tuple[float, ...]]:
     """
     stated = (1.0,) if any(scene.stated) else (1.0, -1.0)
     return product(*(stated if k == 0 else (1.0, -1.0) for k in range(groups)))
+
+
+def acting_together(
+    joint: SpaceJoint,
+    acting: Sequence[Acting],
+    senses: Iterable[Sequence[float]],
+    *,
+    locked: bool,
+) -> Iterator[SpaceState]:
+    """Yield the linear states of a joint as it has grown, under loads in each of their senses.
+
+    ``locked`` says whether the drive holds it against what it has grown by.
+    """
+    states = [action(joint.assembly, each) for each in acting]
+    heat = [warmed(joint.assembly, locked=locked)] if joint.layout.grows else []
+    for signs in senses:
+        yield combined([*states, *heat], [*signs, *(1.0 for _ in heat)])
 
 
 def motions(
@@ -489,12 +507,12 @@ def straight_shares(
     number is what pushes a blade at the first the most, over its area [Pa].
     """
     stresses = Stresses(joint.assembly)
-    groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
+    groups = acting_groups(joint, scene)
+    each = list(acting_together(joint, groups, senses(scene, len(groups)), locked=False))
     centre = joint.layout.body(joint.layout.drive.body).point
     for end in dict.fromkeys(scene.stroke_ends):
         stroke = [action(joint.assembly, Acting(end, np.zeros(6), centre, np.zeros(3)))] * bool(end)
-        for signs in senses(scene, len(groups)):
-            loads = combined(groups, list(signs))
+        for loads in each:
             buckling = loads.following().buckling
             least = _told_up_to(joint, stroke, combined([loads], [most]), stresses) * most
             share = max(least, min(1.0 / max(buckling, 1e-9), most))

@@ -25,7 +25,6 @@ from flexcli.mechanics.space.states import (
     SpaceState,
     action,
     combined,
-    warmed,
 )
 from flexcli.numerics.collocation import gauss_nodes
 from flexcli.parts.elastic import NotAvailable
@@ -33,7 +32,14 @@ from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask, Told
 from flexcli.parts.scene import IN_PLANE, Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
-from flexcli.parts.space_states import KNOWN, TURNS, UNEVEN, acting_groups, third_order
+from flexcli.parts.space_states import (
+    KNOWN,
+    TURNS,
+    UNEVEN,
+    acting_groups,
+    acting_together,
+    third_order,
+)
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -148,13 +154,10 @@ def shares_beside(
 
     As :func:`changed_beside` tells; one of 1 of softening buckles straight blades and bodies.
     """
-    heat = [warmed(joint.assembly, locked=locked)] if joint.layout.grows else []
-    states = [action(joint.assembly, each) for each in beside]
     times, softer, stiffer = 1.0 if joint.is_uniform else UNEVEN, 0.0, 0.0
-    if not (heat or states):
+    if not (joint.layout.grows or beside):
         return softer, stiffer
-    for signs in senses_beside(scene, beside):
-        both = combined([*heat, *states], [*(1.0 for _ in heat), *signs])
+    for both in acting_together(joint, beside, senses_beside(scene, beside), locked=locked):
         after, reversed_ = (combined([both], [sense]).following() for sense in (1.0, -1.0))
         given_way = 0.0 if driven else _given_way(joint, after.rotation)
         turned = max(TURNS * float(np.abs(both.bent[:, TWIST]).max()) ** 2, given_way)

@@ -22,6 +22,7 @@ import yaml
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from twins.campaign import near_its_limits
+from twins.single_loads import bending
 
 import flexcli
 from flexcli.errors import SolveError, SpecError
@@ -66,16 +67,8 @@ def scaled(words: Any, factor: float) -> Any:
 
 def smallest_load(spec: dict) -> tuple[str, str]:
     """Return a force and a moment that are next to nothing for a spec's blades."""
-    geometry = spec["geometry"]
-    blades = geometry.get("blades")
-    sizes = {**geometry, **(next(iter(blades.values())) if isinstance(blades, dict) else {})}
-
-    def size(*names: str) -> float:
-        return next((float(sizes[n].split()[0]) for n in names if n in sizes), 1e-3)
-
-    h, b, l = size("h", "e", "d"), size("b", "h", "e", "d"), size("l", "r")
     strength = float(spec["material"].get("yield_strength", "1e8").split()[0])
-    moment = NOTHING * strength * min(h, b) ** 2 * max(h, b) / 6.0
+    moment, l = bending(spec["geometry"], NOTHING * strength)
     return f"{moment / l!r} N", f"{moment!r} N*m"
 
 

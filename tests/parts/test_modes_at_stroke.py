@@ -7,7 +7,6 @@ import yaml
 import flexcli
 from flexcli.engine.joint_models.joint_states import exactly, of_case
 from flexcli.mechanics.equilibrium import solve
-from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.stresses import beside_beam, blade_stress
 from flexcli.numerics.modes import natural_modes
@@ -215,7 +214,7 @@ def test_small_loads_about_a_stroke_stress_blades_as_exact_equilibria_say(geomet
     drive[axis] = stands.motions[:, layout.index(MOVING), axis]
     blade = layout.blades[0]
     l = np.hypot(*np.subtract(blade.end, blade.start))
-    size = 1e-4 * layout.E * blade.b * float(least_thickness(blade)) ** 3 / l**2
+    size = 1e-4 * layout.E * blade.b * float(blade.least_thickness) ** 3 / l**2
 
     def stresses(body, force):
         load = Load(body.name, body.point, (float(force[0]), float(force[1])))

@@ -27,7 +27,7 @@ def single_loads(seed, kinds=COUPLED, share=SMALL):
         return  # a crystal's numbers depend on where its blades point
     if geometry["kind"] in ("leaf-spring-stage", "necked-down-stage"):
         geometry.setdefault("spacing", geometry["l"])
-    moment, l = _bending(geometry, share * float(material["yield_strength"].split()[0]))
+    moment, l = bending(geometry, share * float(material["yield_strength"].split()[0]))
     for way in map(str, rng.permutation([*FORCES, *MOMENTS])[:3]):
         load = f"{moment / l!r} N" if way in FORCES else f"{moment!r} N*m"
         asked = {
@@ -45,7 +45,7 @@ def twin_of(spec):
     return in_space(spec, flexcli.load(yaml.safe_dump(spec)))
 
 
-def _bending(geometry, strength):
+def bending(geometry, strength):
     """Return the moment of a blade of that stress [N·m], and some length of it [m]."""
     blades = geometry.get("blades")
     sizes = next(iter(blades.values())) if isinstance(blades, dict) else geometry

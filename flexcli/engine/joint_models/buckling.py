@@ -121,7 +121,7 @@ def exact_critical(
     either_way, most = len({push.force for push in pushes}) == 1 and len(pushes) == 2, inf
     for push, scene, straight in sorted(senses, key=lambda sense: sense[2].factor):
         least: Critical | None = None
-        for travel in _travels(ask):
+        for travel in ask.scene.ends_and_rest:
             solver = _Exact(ask, scene, effects, tolerance, levels, travel)
             found = solver.critical(straight, most if least is None else float(least.force))
             if found is not None and (least is None or found.force < least.force):
@@ -144,25 +144,19 @@ def warm_shares(
         raise NotAvailable("has no critical share beside a temperature of blades on hinges")
     wide, spoken = sum(critical_unsure(ask)), ask.scene.keeps
     for layout, held, driven, loads in paths(ask):
+        most, blades = ask.most_share, blades_of(layout, effects)
         try:
             found = critical_load(
-                layout, held, loads, most=ask.most_share, driven=driven,
-                effects=blades_of(layout, effects), tolerance=tolerance, levels=levels,
+                layout, held, loads, most=most, driven=driven,
+                effects=blades, tolerance=tolerance, levels=levels,
             )  # fmt: skip
         except SolveError as error:
             if error.code != "no-critical-load":
                 raise NotAvailable(f"has no exact critical load: {error}") from error
-            none, most = f"{spoken}: none up to that", ask.most_share
-            try:
-                there = solve(
-                    layout.grown(most), {**held, **driven}, loads=loads, load_factor=most,
-                    effects=blades_of(layout, effects), tolerance=ROUGH, levels=levels,
-                ).checked()  # fmt: skip
-            except SolveError:
-                yield CriticalShare(most, none, None, 0.0)
-                continue
-            least = ErrorRange(-wide, inf) if isfinite(wide) else None
-            yield CriticalShare(most, none, least, _compression(there))
+            kept = {**held, **driven}
+            pushed = _compression_under(layout.grown(most), kept, loads, most, blades, levels)
+            known = ErrorRange(-wide, inf) if pushed is not None and isfinite(wide) else None
+            yield CriticalShare(most, f"{spoken}: none up to that", known, pushed or 0.0)
             continue
         off = wide + found.estimated_error
         known = ErrorRange(-off, off) if isfinite(off) else None
@@ -189,6 +183,25 @@ def _compression(state: Equilibrium) -> float:
     blades = state.layout.blades
     pulls = (blade_stress(state, each.name).axial / each.peak[1] for each in blades)
     return max(0.0, *(float(np.max(-pull)) for pull in pulls))
+
+
+def _compression_under(
+    layout: Layout,
+    held: Held,
+    loads: Sequence[Load],
+    factor: float,
+    effects: Effects,
+    levels: Sequence[int],
+) -> float | None:
+    """Return that under so many times the loads, None where no equilibrium is found."""
+    try:
+        found = solve(
+            layout, held, loads=loads, load_factor=factor,
+            effects=effects, tolerance=ROUGH, levels=levels,
+        )  # fmt: skip
+        return _compression(found.checked())
+    except SolveError:
+        return None
 
 
 def push_scene(ask: Ask, push: Push) -> PushScene:
@@ -266,7 +279,7 @@ def _largest_forces(layout: Layout, found: LinearCritical) -> tuple[float, float
     """
     pulled = pushed = 0.0
     for blade, tension in zip(layout.blades, found.tensions, strict=True):
-        l = _length(blade)
+        l = float(blade.length)
         _, h = blade_places(blade, l)
         n = found.factor * float(tension) * l**2 * 12.0 / float(layout.E * blade.b * h.min() ** 3)
         pulled, pushed = max(pulled, n), max(pushed, -n)
@@ -311,7 +324,7 @@ def _of_truss(scene: PushScene, held: Held) -> tuple[Floats, float]:
     rates = _lengthening(ends, ends - np.array(body.point), moves)[:, free]
     stiffness, areas = [], []
     for blade in layout.blades:
-        along, h = (np.ravel(each) for each in blade_places(blade, _length(blade)))
+        along, h = (np.ravel(each) for each in blade_places(blade, float(blade.length)))
         softness = np.sum(np.diff(along) * (1.0 / h[1:] + 1.0 / h[:-1]) / 2.0)
         stiffness.append(float(layout.E * blade.b / softness))
         areas.append(float(blade.b * h.min()))
@@ -320,10 +333,6 @@ def _of_truss(scene: PushScene, held: Held) -> tuple[Floats, float]:
     moved = np.linalg.lstsq((rates.T * k) @ rates, force, rcond=None)[0]
     tensions = k * (rates @ moved)
     return tensions, float(np.max(np.abs(tensions) / np.array(areas)))
-
-
-def _length(blade: Blade) -> float:
-    return float(np.hypot(*np.subtract(blade.end, blade.start)))
 
 
 def _ends(layout: Layout) -> tuple[Floats, NDArray[np.bool_]]:
@@ -347,7 +356,7 @@ def _lengthening(ends: Floats, arms: Floats, moves: NDArray[np.bool_]) -> Floats
 
 def _strut(blade: Blade, layout: Layout) -> Layout:
     """Return one blade along x between two bodies that turn with its ends."""
-    l = _length(blade)
+    l = float(blade.length)
     bodies = (Body("base", (0.0, 0.0)), Body("body", (l, 0.0)))
     strip = Blade(blade.name, "base", "body", (0.0, 0.0), (l, 0.0), blade.profile, blade.b)
     return Layout(bodies, (strip,), layout.E, layout.G)
@@ -385,14 +394,6 @@ def _swung(scene: PushScene, motion: Sequence[float | None], near: Floats) -> Pu
         layout=replace(layout, bodies=(moved,), blades=blades),
         pattern=(load._replace(point=moved.point),),
     )
-
-
-def _travels(ask: Ask) -> tuple[float, ...]:
-    """Return the motions that a case holds: the ends of its stroke and rest."""
-    scene = ask.scene
-    if not scene.moves:
-        return (0.0,)
-    return tuple(dict.fromkeys((*scene.stroke_ends, 0.0)))
 
 
 @dataclass(frozen=True, eq=False)

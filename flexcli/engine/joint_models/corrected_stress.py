@@ -148,9 +148,9 @@ class CorrectedStress:
             if scene.moves:
                 whole = self.by.factor(ask, QuantityKind.STRESS)
                 of_mean = whole if scene.mean_travel else 1.0
-                if not scene.mean_travel:  # what is not raised of a mean may be the stroke's own
-                    more = self._share_beside(ask) * (whole - 1.0)
-                    found += ErrorRange(smaller(more, 0.0), larger(more, 0.0))
+                # what is not raised of a mean may be the stroke's own
+                more = self._share_beside(ask) * (whole / of_mean - 1.0)
+                found += ErrorRange(smaller(more, 0.0), larger(more, 0.0))
                 share = self._pushed_share(ask)
                 low, high = (share * each for each in pushed + _as_much(factor / of_mean))
                 pushed = ErrorRange(low, high)

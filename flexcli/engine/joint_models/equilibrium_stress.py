@@ -4,7 +4,6 @@ import numpy as np
 
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import layout_of
-from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.layout import Blade
 from flexcli.mechanics.mesh import single
 from flexcli.numerics.rows import one_alone
@@ -49,4 +48,4 @@ def least_stress(ask: Ask) -> float:
 
 def _area(blade: Blade) -> float:
     """Return the least area of a blade's sections [m²]."""
-    return float(blade.b) * single(least_thickness(blade))
+    return float(blade.b) * single(blade.least_thickness)

@@ -51,12 +51,12 @@ def held_by_stroke(scene: Scene, geometry: Geometry, travel: object) -> Held:
     return x, travel, 0.0 if hold_of(scene).turn else phi  # type: ignore[return-value]
 
 
-def undriven(scene: Scene, geometry: Geometry) -> Held:
-    """Return what is held of a body with a stroke, its drive free: there its stroke starts.
+def undriven(scene: Scene, geometry: Geometry, travel: float = 0.0) -> Held:
+    """Return what is held of a body at a travel of its stroke besides its drive [m or rad].
 
     What keeps a body from turning does so whatever acts on it, where a stroke turns it as well.
     """
-    x, y, phi = held_by_stroke(scene, geometry, 0.0)
+    x, y, phi = held_by_stroke(scene, geometry, travel)
     if driven_axis(geometry) == 2:
-        return x, y, 0.0 if hold_of(scene).turn else None
+        return x, y, phi if hold_of(scene).turn else None
     return x, None, phi

@@ -168,14 +168,11 @@ def paths(ask: Ask) -> Iterator[tuple[Layout, Held, Held, list[Load]]]:
     across = hold_of(scene).across and not scene.moves
     angle = _facing(scene) if across else 0.0
     layout = turned(warmed(ask), -angle)
-    for travel in dict.fromkeys((*scene.stroke_ends, 0.0)) if scene.moves else (None,):
+    for travel in scene.ends_and_rest:
         kept = held = held_at_rest(scene, geometry)
-        if travel is not None:
+        if scene.moves:
             kept = held_by_stroke(scene, geometry, travel)
-            x, y, phi = kept
-            held = x, None, phi
-            if driven_axis(geometry) == 2:
-                held = x, y, phi if hold_of(scene).turn else None
+            held = undriven(scene, geometry, travel)
         for signs in senses_in_plane(scene):
             loads = [
                 load._replace(
@@ -270,9 +267,7 @@ def _sag(
 
 def _is_driven(motion: Floats, layout: Layout, axis: int) -> bool:
     """Return whether a motion (states, 3) has a part along an axis that is no rounding."""
-    longest = max(
-        float(np.max(np.hypot(*np.subtract(blade.end, blade.start)))) for blade in layout.blades
-    )
+    longest = max(float(np.max(blade.length)) for blade in layout.blades)
     reach = np.abs(motion) * (1.0, 1.0, longest)
     return bool(np.any(reach[:, axis] > ALONG * reach.max()))
 

@@ -16,14 +16,13 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.critical import straight_critical_factor
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
-from flexcli.mechanics.space.states import action, combined
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements import Ask
 from flexcli.parts.scene import Push, Scene
 from flexcli.parts.space_joint import joint_of
-from flexcli.parts.space_states import acting_groups
+from flexcli.parts.space_states import acting_groups, acting_together
 from flexcli.results import ErrorRange
 
 __all__ = ["leaving_plane"]
@@ -93,7 +92,7 @@ def _straight(ask: Ask) -> Iterator[Critical]:
         else:
             low *= _of_straight(soft, pattern) / factor * (1.0 - hinge_alone_off(joint.layout))
         known = None if ask.scene.moves or not joint.is_known else ErrorRange(low - 1.0, inf)
-        state = combined([action(joint.assembly, each) for each in groups], [1.0] * len(groups))
+        (state,) = acting_together(joint, groups, [[1.0] * len(groups)], locked=False)
         stress = state.compression / ask.scene.force
         yield Critical(WAY, factor * ask.scene.force, STRAIGHT, stress, known)
 

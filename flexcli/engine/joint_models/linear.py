@@ -160,7 +160,7 @@ class LinearModel(JointModel):
         weights, stresses, most, off = BladeWeights.of(ask), list[EndStress](), 0.0, 0.0
         for index, blade in enumerate(found.layout.blades):
             axial, bending = forced_stress(blade, found.end_forces[:, index])
-            s, h = blade_places(blade, np.hypot(*np.subtract(blade.end, blade.start)))
+            s, h = blade_places(blade, blade.length)
             hinge, own = beside_beam(blade, BladeStress(s, bending, axial, h)), 0.0
             if weights is not None:
                 added = weights.stress(index)
@@ -205,7 +205,7 @@ def _by_stretching(found: "_State") -> Number:
             x, y, phi = found.motions[:, index].T
             arm = [a - p for a, p in zip(at, layout.bodies[index].point, strict=True)]
             swing = swing + sense * (c * (y + phi * arm[0]) - s * (x - phi * arm[1]))
-        _, h = blade_places(blade, np.hypot(*np.subtract(blade.end, blade.start)))
+        _, h = blade_places(blade, blade.length)
         most = np.maximum(most, np.abs(swing) / np.min(h, axis=-1))
     share = largest_of_each(states_of(most[:, None]))
     change = share * (STRETCH[0] + STRETCH[1] * share)
@@ -219,13 +219,13 @@ def _beyond_first_order(found: "_State") -> Number:
     most, n = N l²/EI: less than 4/π s/(1 − s) for the share s = 4 n/π² of what buckles it.
     """
     layout = found.layout
-    lengths = [float(np.min(np.hypot(*np.subtract(b.end, b.start)))) for b in layout.blades]
+    lengths = [float(np.min(blade.length)) for blade in layout.blades]
     turned = np.abs(found.motions[:, :, 2]).max(axis=1)
     shifted = np.hypot(found.motions[:, :, 0], found.motions[:, :, 1]).max(axis=1)
     turned, pushed = np.maximum(turned, shifted / min(lengths)), np.zeros(len(turned))
     for index, (blade, l) in enumerate(zip(layout.blades, lengths, strict=True)):
         axial, _ = forced_stress(blade, found.end_forces[:, index])
-        _, h = blade_places(blade, np.hypot(*np.subtract(blade.end, blade.start)))
+        _, h = blade_places(blade, blade.length)
         n = 12.0 * np.abs(axial).max(axis=-1) * l**2 / (layout.E * np.min(h, axis=-1) ** 2)
         pushed = np.maximum(pushed, 4.0 * n / np.pi**2)
     with np.errstate(divide="ignore"):

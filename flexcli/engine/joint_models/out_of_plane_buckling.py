@@ -13,12 +13,12 @@ from flexcli.engine.joint_models.space_stroke import BEAMS
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.critical import straight_critical_factor
 from flexcli.mechanics.space.exact.demand import drive_frame
-from flexcli.mechanics.space.states import Acting, SpaceState, action, combined, warmed
+from flexcli.mechanics.space.states import Acting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask, CriticalShare
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
-from flexcli.parts.space_states import acting_groups, senses
+from flexcli.parts.space_states import acting_groups, acting_together, senses
 
 __all__ = ["out_of_plane_share"]
 
@@ -75,7 +75,8 @@ def _least(
         groups = acting_groups(joint, scene)
         if not groups and not joint.layout.grows:
             return None
-        states = list(_by_small_motion(joint, groups, scene))
+        signs = senses(scene, len(groups))
+        states = list(acting_together(joint, groups, signs, locked=scene.moves))
         after = [state.following() for state in states]
         near = asked * max(max(each.buckling, each.arms) for each in after)
         pushed = max(state.compression for state in states)
@@ -100,14 +101,6 @@ def _least(
     # what stands as far as it was followed stands the longer the more straight blades bear
     share = max(straight, most)
     return least._replace(share=share, stress=share * pushed)
-
-
-def _by_small_motion(joint: SpaceJoint, groups: list[Acting], scene: Scene) -> Iterator[SpaceState]:
-    """Yield the linear states under a case's loads, each in its senses, and its temperature."""
-    states = [action(joint.assembly, each) for each in groups]
-    heat = [warmed(joint.assembly, locked=scene.moves)] if joint.layout.grows else []
-    for signs in senses(scene, len(states)):
-        yield combined([*states, *heat], [*signs, *(1.0 for _ in heat)])
 
 
 def _of_straight_blades(

@@ -15,7 +15,7 @@ from flexcli.engine.joint_models.space_errors import STOUTEST
 from flexcli.errors import SolveError
 from flexcli.formulas.plate_factors import effective_width
 from flexcli.formulas.profile import Constant
-from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.shell.first_guess import shells_from_beams
 from flexcli.mechanics.space.exact.demand import drive_frame
@@ -33,7 +33,6 @@ __all__ = [
     "LEVELS",
     "TOLERANCE",
     "check_thin",
-    "length_of",
     "narrowed",
     "shift_by_shells",
     "upright",
@@ -123,7 +122,11 @@ def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[floa
     sheared = abs(abs(beams / wide.beams) - 1.0)
     error = abs(wide.coarser / wide.shells - 1.0) + apart / widened
     error += OF_SHEAR * sheared + OF_PLATES * abs(widened - 1.0) + wide.unsure
-    least = min(map(length_of, layout.blades)) if ask.geometry.motion == "rotation" else 1.0
+    least = (
+        min(float(blade.length) for blade in layout.blades)
+        if ask.geometry.motion == "rotation"
+        else 1.0
+    )
     lost = abs(travel) * least / abs(beams)
     if lost * LEAST > 1.0:
         raise NotAvailable("has a shift that is lost in rounding")
@@ -153,7 +156,7 @@ def check_thin(ask: Ask, layout: Layout) -> None:
     for blade in layout.blades:
         if not isinstance(blade.profile, Constant):
             raise NotAvailable("has blades of varying thickness, of which there are no shells")
-        h, b, l = float(blade.profile.h), float(blade.b), length_of(blade)
+        h, b, l = float(blade.profile.h), float(blade.b), float(blade.length)
         thin = h <= THICKEST * l and h <= STOUTEST * b
         if not (thin and NARROWEST * l <= b <= WIDEST * (1.0 + ROUNDING) * l):
             raise NotAvailable("has blades of which no shells were held against solids")
@@ -214,7 +217,7 @@ def _by_law(ask: Ask, layout: Layout, travel: float, plain: Equilibrium) -> floa
         found = blade_stress(plain, blade.name)
         most = max(most, float(np.abs(found.axial).max()) / E)
         whole = np.trapezoid((found.bending[0] / E) ** 2, found.s[0])
-        longer[blade.name] = 0.5 * float(whole) / length_of(blade)
+        longer[blade.name] = 0.5 * float(whole) / float(blade.length)
     other = _beams(ask, replace(layout, blade_growth=longer), travel, Effects(shear=False))
     shift, changed = (float(shifts_of(state, ask)[0]) for state in (plain, other))
     return abs(changed / shift - 1.0) + OF_STRAIN * most
@@ -223,9 +226,3 @@ def _by_law(ask: Ask, layout: Layout, travel: float, plain: Equilibrium) -> floa
 def _beams(ask: Ask, layout: Layout, travel: float, effects: Effects) -> Equilibrium:
     """Return exact beams of the plane at a travel."""
     return solved(layout, {MOVING: ask.geometry.held(travel)}, effects=effects)
-
-
-def length_of(blade: Blade) -> float:
-    """Return the length of a blade [m]."""
-    x, y = np.subtract(blade.end, blade.start)
-    return float(np.hypot(x, y))

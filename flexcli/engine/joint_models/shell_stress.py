@@ -17,7 +17,6 @@ from flexcli.engine.joint_models.shell_shift import (
     LEVELS,
     TOLERANCE,
     check_thin,
-    length_of,
     narrowed,
     upright,
 )
@@ -128,7 +127,7 @@ def _thick(ask: Ask, layout: Layout) -> Floats:
     found = []
     for blade in layout.blades:
         assert isinstance(blade.profile, Constant)  # of which there are shells
-        at = {"l": length_of(blade), "poisson_ratio": ask.material.elastic.most_nu}
+        at = {"l": float(blade.length), "poisson_ratio": ask.material.elastic.most_nu}
         found.append(np.max(beyond_plate(h=blade.profile.h, **at)))
     return np.array(found)
 

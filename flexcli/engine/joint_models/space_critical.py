@@ -28,12 +28,12 @@ from flexcli.mechanics.space.exact.demand import Held, drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.inertia import blade_masses
 from flexcli.mechanics.space.layout import SpaceLayout
-from flexcli.mechanics.space.states import Acting, action, combined, warmed
+from flexcli.mechanics.space.states import Acting, combined
 from flexcli.parts.elastic import NotAvailable, buckled
 from flexcli.parts.requirements import Ask, CriticalShare
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
-from flexcli.parts.space_states import acting_groups, senses
+from flexcli.parts.space_states import acting_groups, acting_together, senses
 from flexcli.results import ErrorRange
 
 __all__ = ["critical_shares", "may_stand", "path_at", "travels_of"]
@@ -66,15 +66,15 @@ def critical_shares(
     layout, drive = joint.layout, joint.layout.drive
     acting = acting_groups(joint, scene)
     groups = [loads_of(joint, each) for each in acting]
-    rest = [action(joint.assembly, each) for each in acting]
-    heat = [warmed(joint.assembly, locked=scene.moves)] if layout.grows else []
+    each_sense = list(senses(scene, len(groups)))
+    each_state = list(acting_together(joint, acting, each_sense, locked=scene.moves))
     unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     most = ask.most_share
     for travel in travels_of(scene, drive_holds=drive_holds):
         known = blades.errors(at_travel(ask, travel, blades, warmth=0.0))
         beams = path_at(ask, travel, BEAMS, drive_holds=drive_holds)
         soft = _with_soft_blocks(layout, beams) if blades is BEAMS and known else None
-        for signs in senses(scene, len(groups)):
+        for signs, whole in zip(each_sense, each_state, strict=True):
             pattern = tuple(signed(groups, signs))
             spoken = scene.hold if drive_holds else scene.keeps
             try:
@@ -102,8 +102,7 @@ def critical_shares(
                 )  # fmt: skip
                 own = (1.0 - soft.off) * (1.0 - found.estimated_error - unsure)
                 low = max(low, min(1.0, softest / share) * own)
-            shares = [share * sign for sign in (*signs, *(1.0 for _ in heat))]
-            there = combined([*rest, *heat], shares)
+            there = combined([whole], [share])
             if blades is BEAMS:
                 low /= 1.0 + width_error(joint.assembly, there.moved.forces[:, 0])
             error_range = ErrorRange(low - 1.0, high) if isfinite(off) else None
@@ -203,7 +202,7 @@ def path_at(ask: Ask, travel: float, blades: Blades, *, drive_holds: bool) -> _P
 
 def travels_of(scene: Scene, *, drive_holds: bool) -> Iterable[float]:
     """Return the travels at which a joint is looked at: rest counts where no drive holds it."""
-    return dict.fromkeys((*scene.stroke_ends, *([] if drive_holds else [0.0])))
+    return dict.fromkeys(scene.stroke_ends) if drive_holds else scene.ends_and_rest
 
 
 def may_stand(ask: Ask, blades: Blades, loads: Loads) -> bool:

@@ -13,7 +13,6 @@ from flexcli.engine.solid.numbers import STRAIGHT, StressPlace
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import second_moment
-from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import free_compliance
 from flexcli.parts.elastic import NotAvailable
@@ -106,10 +105,10 @@ class ModelNumbers:
         """
         scene, elastic = ask.scene, ask.material.elastic
         blades = ask.geometry.layout(elastic, ask.sizes).blades
-        lengths = [float(np.hypot(*np.subtract(b.end, b.start))) for b in blades]
+        lengths = [float(blade.length) for blade in blades]
         length = max(lengths) if ask.geometry.motion == "rotation" else 1.0
         slight = SLIGHT * min(
-            float(elastic.E * second_moment(blade.b, least_thickness(blade))) / l**2
+            float(elastic.E * second_moment(blade.b, blade.least_thickness)) / l**2
             for blade, l in zip(blades, lengths, strict=True)
         )
         moved = 1e-4 * (scene.travel + scene.mean_travel) * length

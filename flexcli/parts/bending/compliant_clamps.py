@@ -302,7 +302,7 @@ def _roots_of(blade: Blade, layout: Layout, roots: Roots) -> Roots:
 
 
 def _of_root(blade: Blade, roots: Roots) -> Floats:
-    l, b = float(np.hypot(*np.subtract(blade.end, blade.start))), float(blade.b)
+    l, b = float(blade.length), float(blade.b)
     places, added = list(_places(blade, l, roots)), np.zeros(5)
     mirrored = sorted((round((l - x.s) / l, 9), round(x.h / l, 9)) for x in places)
     even = mirrored == sorted((round(x.s / l, 9), round(x.h / l, 9)) for x in places)

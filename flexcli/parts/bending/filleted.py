@@ -50,19 +50,15 @@ def _pairs(plain: Layout, filleted: Layout) -> list[tuple[Blade, Blade]]:
     return list(zip(plain.blades, filleted.blades, strict=True))
 
 
-def _length(blade: Blade) -> float:
-    return float(np.hypot(*np.subtract(blade.end, blade.start)))
-
-
 def _radius_share(blade: Blade) -> float:
     """Return r/l."""
-    l = _length(blade)
+    l = float(blade.length)
     return float(blade.profile.pieces(l)[1].position(np.array(-1.0))) / l
 
 
 def _turn(blade: Blade) -> float:
     """Return the rotation of a blade per moment at its end, at E b = 1 [1/m²]."""
-    l = _length(blade)
+    l = float(blade.length)
     return float(planar_compliance(blade.profile, E=1.0, l=l, b=1.0, a=l)[2, 2])
 
 
@@ -71,7 +67,7 @@ def _shortened(blade: Blade) -> tuple[float, float]:
 
     Of an arc what its slope is beside its mean, half the rotation, shortens it more or less.
     """
-    l = _length(blade)
+    l = float(blade.length)
     places, h = _along(blade, l)
     softness = (np.min(h) / h) ** 3
     arc = _integrated(softness, places)
@@ -95,7 +91,7 @@ def _largest_stress(layout: Layout, solution: LinearSolution) -> tuple[float, fl
     found = most = 0.0
     for blade, force in zip(layout.blades, solution.end_forces[0], strict=True):
         x, y = np.subtract(blade.end, blade.start)
-        l = _length(blade)
+        l = float(blade.length)
         across = (x * force[1] - y * force[0]) / l
         s, h = _along(blade, l)
         bending = float(blade.peak[0]) * 6.0 * (force[2] + across * (l - s)) / (blade.b * h**2)

@@ -171,7 +171,7 @@ def _stress_rows(layout: Layout) -> Floats:
     """Return the stress at both faces along all blades per force at their ends (places, forces)."""
     found = []
     for i, blade in enumerate(layout.blades):
-        l, b = float(np.hypot(*np.subtract(blade.end, blade.start))), float(blade.b)
+        l, b = float(blade.length), float(blade.b)
         bends, pulls = map(float, blade.peak)
         for piece in blade.profile.pieces(l):
             s, h = np.broadcast_arrays(*map(np.ravel, (piece.position(PLACES),

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from flexcli.parts.requirements.warm_shift import WarmShift
 
 __all__ = [
+    "CRUSHED",
     "MOST_SHARE",
     "Ask",
     "Bent",
@@ -171,6 +172,10 @@ class DriveEffort(NamedTuple):
     load: float = 0.0
 
 
+CRUSHED = "; blades yield first, J. B. Johnson's parabola"
+"""What is said of a critical force or share that is less than the elastic one."""
+
+
 class CriticalShare(NamedTuple):
     """The share of the loads of a case that buckles a mechanism [-], and how it is held.
 
@@ -183,14 +188,15 @@ class CriticalShare(NamedTuple):
     error: ErrorRange | None
     stress: float
 
-    def borne(self, strength: float | None) -> "CriticalShare":
+    def borne(self, material: Material) -> "CriticalShare":
         """Return the share that is borne where blades yield before they buckle.
 
         By Johnson's parabola, as a force is; without a yield strength it is the elastic one.
         """
-        if strength is None or self.stress <= 0.0:
+        given = material.yield_strength
+        if given is None or self.stress <= 0.0:
             return self
-        per_share = self.stress / self.share
+        strength, per_share = given.value, self.stress / self.share
 
         def least(share: float) -> float:
             return float(johnson_stress(share * per_share, strength)) / per_share
@@ -201,7 +207,7 @@ class CriticalShare(NamedTuple):
             low, high = (least(self.share * (1.0 + end)) / share - 1.0 for end in error)
             error = ErrorRange(low, high)
         if share < self.share:
-            held += "; blades yield first, J. B. Johnson's parabola"
+            held += CRUSHED
         return CriticalShare(share, held, error, share * per_share)
 
     @property

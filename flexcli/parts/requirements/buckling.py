@@ -12,7 +12,7 @@ from flexcli.numerics.signomial import Signomial
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.material import Material
-from flexcli.parts.requirements.ask import MOST_SHARE, Ask, CriticalShare, RequirementError
+from flexcli.parts.requirements.ask import CRUSHED, MOST_SHARE, Ask, CriticalShare, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange, QuantityKind
@@ -122,11 +122,10 @@ class Buckling(FactorRequirement):
         What stands at all shares that were looked at may be known to stand at the factor only if it
         stands far beyond. They are borne where blades yield before they buckle.
         """
-        most, given = max(MOST_SHARE, BEYOND * self.factor), ask.material.yield_strength
-        strength = None if given is None else given.value
+        most = max(MOST_SHARE, BEYOND * self.factor)
         found = tuple(ask.joint_model.critical_shares(ask._replace(most_share=most)))
         for _ in range(2):
-            further = self._most_to_decide(found, most, strength)
+            further = self._most_to_decide(found, most, ask.material)
             if further is None:
                 break
             try:
@@ -134,13 +133,13 @@ class Buckling(FactorRequirement):
                 found, most = tuple(more), further
             except NotAvailable:  # so far its path is not found
                 break
-        return tuple(each.borne(strength) for each in found)
+        return tuple(each.borne(ask.material) for each in found)
 
     def _most_to_decide(
-        self, found: Sequence[CriticalShare], most: float, strength: float | None
+        self, found: Sequence[CriticalShare], most: float, material: Material
     ) -> float | None:
         """Return up to which share to look, if that all stand beyond ``most`` may decide."""
-        least = [each.borne(strength).least for each in found if each.error is not None]
+        least = [each.borne(material).least for each in found if each.error is not None]
         standing = all(each.share >= most for each in found) and len(least) == len(found)
         if not found or not standing or not 0.0 < min(least) < self.factor:
             return None
@@ -199,7 +198,7 @@ def borne(critical: Critical, material: Material) -> tuple[Computed, str]:
         return found, ""
     if number(elastic) <= strength / 2.0:
         return force, ""
-    return number(found), "; blades yield first, J. B. Johnson's parabola"
+    return number(found), CRUSHED
 
 
 def _error(critical: Critical, ask: Ask) -> ErrorRange | None:

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.plate_flattening import flat_width, tangent_factor
-from flexcli.mechanics.lateral_bound import least_thickness
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.states import Acting
 from flexcli.parts.elastic import NotAvailable
@@ -191,7 +190,7 @@ def flattened_by_stroke(ask: Ask, structure: Structure) -> float:
     )
     beta = 0.0
     for blade in layout.blades:
-        h = float(least_thickness(blade))
+        h = float(blade.least_thickness)
         curvature = 2.0 * stress / (layout.E * h)
         wide = flat_width(b=float(blade.b), h=h, curvature=curvature, poisson_ratio=nu)
         beta = max(beta, float(wide))
