@@ -1,4 +1,4 @@
-"""Shear and stretching of thick blades in stages and pivots: stiffness, stress, shift.
+"""Shear, stretching and strain of thick blades in stages and pivots: stiffness, stress, shift.
 
 In stiffness, stress, sag and buckling one share says it for every joint, exactly in Timoshenko's
 Φ: that of the compliance (or of the stiffness) which bends in an S and so needs a force across the
@@ -7,6 +7,10 @@ blade. A pivot of two blades bends them in a uniform part, free of force, and an
 EI/l²]. The shortening that makes the shift is ``λ = ∫(θ²/2 + gθ) ds − fw/(EA)``: a blade's
 sections turn by θ, shear by g, and its end force f across it, of first order in the motion w,
 stretches it as it turns.
+
+Of the same order is what the law of finite strain makes of a bent blade, which no material states:
+bent to ±ε at its faces, its middle grows by −ε²/2 where stress is linear in Green's strain and by
++ε²/2 where it is in Hencky's, of which a beam's is the mean, and by ν ε²/2 in all of them.
 """
 
 from math import pi
@@ -22,9 +26,11 @@ __all__ = [
     "buckling_change",
     "pivot_shift_across",
     "pivot_softening",
+    "pivot_strain_law",
     "pivot_stretch",
     "s_bending_share",
     "shear_factor",
+    "stage_strain_law",
     "stage_stretch",
     "stiffness_change",
 ]
@@ -329,7 +335,72 @@ def pivot_stretch(*, h: Numbers, l: Numbers, p: Numbers, half_angle: Numbers) ->
     return bends + softer * (softer + 1.0) * slender / 4.0 - slender * balance / 60.0
 
 
+def stage_strain_law(*, h: Quantity, l: Quantity, poisson_ratio: Quantity) -> Computed:
+    """Return the relative change of a motion towards the base by the law of finite strain, at most.
+
+    ``5/2 (1 + ν)(h/l)²`` of guided blades; a cantilever is half a guided blade of twice its length.
+
+    Parameters
+    ----------
+    h, l : Quantity
+        Thickness and length of a guided blade [m].
+    poisson_ratio : Quantity
+        ν [-].
+
+    Returns
+    -------
+    change : Quantity
+        Motion by some law over that of beams, less one, of either sign [-].
+
+    Examples
+    --------
+    >>> round(stage_strain_law(h=0.1, l=1.0, poisson_ratio=0.3), 6)
+    0.0325
+
+    References
+    ----------
+    Derived, see the module; strips in plane stress, their radii solved for by either law, have it.
+
+    """
+    return 2.5 * (1.0 + poisson_ratio) * (h / l) ** 2
+
+
+def pivot_strain_law(*, h: Quantity, l: Quantity, p: Quantity, poisson_ratio: Quantity) -> Computed:
+    """Return what the law of finite strain may add to the bracket of a pivot's shift, at most.
+
+    ``(1 + ν)(h/l)² (1 + 3γ²)/8``, ``γ = 1 + 2δ``, beside ``(5 − 9γ²)/60``, the bracket of slender
+    blades.
+
+    Parameters
+    ----------
+    h, l : Quantity
+        Thickness and length of a blade [m].
+    p : Quantity
+        Distance from the centre to the inner ends [m].
+    poisson_ratio : Quantity
+        ν [-].
+
+    Returns
+    -------
+    bracket : Quantity
+        Change of the shift along the bisector over l θ²/cos α, of either sign [-].
+
+    Examples
+    --------
+    >>> round(pivot_strain_law(h=0.1, l=1.0, p=-0.5, poisson_ratio=0.3), 6)
+    0.001625
+
+    References
+    ----------
+    As :func:`stage_strain_law`.
+
+    """
+    gamma = 1.0 + 2.0 * p / l
+    return (1.0 + poisson_ratio) * (h / l) ** 2 * (1.0 + 3.0 * gamma**2) / 8.0
+
+
 _STAGE = {"h": 1e-3, "l": 17.5e-3}
+_LAW = {**_STAGE, "poisson_ratio": 0.33}
 
 
 CARDS: tuple[Card, ...] = (
@@ -341,4 +412,6 @@ CARDS: tuple[Card, ...] = (
     Card("shear-in-shift", shear_factor, {"Phi": 0.03}),
     Card("stretching-in-stage-shift", stage_stretch, _STAGE),
     Card("stretching-in-pivot-shift", pivot_stretch, {**_STAGE, "p": 2e-3, "half_angle": 0.7}),
+    Card("strain-law-in-stage-shift", stage_strain_law, _LAW),
+    Card("strain-law-in-pivot-shift", pivot_strain_law, {**_LAW, "p": 2e-3}),
 )

@@ -50,7 +50,7 @@ def sizes(spec, model=None):
     ("geometry", "temperature", "stroke", "solid", "width"),
     [
         (STAGE, HOT, None, 4.1478e-6, 0.016),
-        (STAGE, HOT, PUSHED, 5.3491e-6, 0.016),
+        (STAGE, HOT, PUSHED, 5.3491e-6, 0.018),
         (PIVOT, WARM, None, 7.0499e-6, 0.005),
         (PIVOT, WARM, {"rotation": "1 deg"}, 6.5493e-6, 0.006),
         (NOTCH, {"bodies": {"moving": "60 K", "ground": "60 K"}}, None, 6.9632e-6, 0.6),

@@ -158,6 +158,8 @@ class Corrected(BuiltOn):
         left = self.by.left(ask, kind, found)
         if left is not None and ask.scene.temperature is not None:
             left = self._strained(ask, kind, left)
+        if left is not None and kind is QuantityKind.SHIFT:
+            return self._of_any_strain_law(ask, left)
         if kind is not QuantityKind.SAG or not ask.scene.sags:
             return left
         from flexcli.parts.strained_compliance import beyond_linear_sag
@@ -166,6 +168,23 @@ class Corrected(BuiltOn):
         if left is None or more is None or heat is None:
             return None
         return left + heat + ErrorRange(-more, more)
+
+    def _of_any_strain_law(self, ask: Ask, error: ErrorRange) -> ErrorRange | None:
+        """Return the error of a shift with what another law of finite strain may change in it."""
+        if self.inner.has_all_strain_laws or ask.geometry.in_space or not ask.scene.moves:
+            return error
+        off = setting_of(ask).bending.strain_law(ask.material.elastic.most_nu)
+        if off is None:
+            from flexcli.engine.joint_models.strain_law import off_by_strain_law
+
+            shift = number(self.parasitic_shift(ask))
+            if shift == 0.0:
+                return error
+            try:
+                off = off_by_strain_law(ask, shift)
+            except NotAvailable:
+                return None
+        return error + ErrorRange(-off, off)
 
     def _strained(self, ask: Ask, kind: QuantityKind, error: ErrorRange) -> ErrorRange | None:
         """Return the error of a number that follows from the stiffness, at a temperature.

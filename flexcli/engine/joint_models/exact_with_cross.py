@@ -79,6 +79,7 @@ SMALL = 0.02
 class ExactWithCross(SolidAtRest):
     """Exact beams, of which what is of first order is a solid's."""
 
+    has_all_strain_laws = True
     at_rest = "solid of the whole joint between rigid bodies, at rest"
 
     def __init__(self) -> None:

@@ -25,6 +25,7 @@ class ExactWithShells(ExactModel):
     """Exact beams in the plane, thin shells where a joint is solved in space."""
 
     name = "shell"
+    has_all_strain_laws = True
     at_stroke = SpaceShellModel.at_stroke
     directs_blades = SpaceShellModel.directs_blades
 

@@ -12,6 +12,7 @@ import numpy as np
 from flexcli.engine.joint_models.exact import shifts_of
 from flexcli.engine.joint_models.joint_states import solved
 from flexcli.engine.joint_models.space_errors import STOUTEST
+from flexcli.engine.joint_models.strain_law import off_by_strain_law
 from flexcli.errors import SolveError
 from flexcli.formulas.plate_factors import effective_width
 from flexcli.formulas.profile import Constant
@@ -72,13 +73,13 @@ ALIKE = 1e-9
 class _Path(NamedTuple):
     """How far a travel moves the centre [m] by beams without shear, shells, and coarser ones.
 
-    ``unsure`` is by how much the law of strain may change them [-].
+    ``stretched`` is the largest axial strain.
     """
 
     beams: float
     shells: float
     coarser: float
-    unsure: float
+    stretched: float
 
 
 def shift_by_shells(ask: Ask) -> tuple[float, float]:
@@ -121,7 +122,8 @@ def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[floa
     widened, apart = sum(each) / 2.0, abs(each[0] - each[1]) / 2.0
     sheared = abs(abs(beams / wide.beams) - 1.0)
     error = abs(wide.coarser / wide.shells - 1.0) + apart / widened
-    error += OF_SHEAR * sheared + OF_PLATES * abs(widened - 1.0) + wide.unsure
+    error += OF_SHEAR * sheared + OF_PLATES * abs(widened - 1.0)
+    error += OF_STRAIN * wide.stretched + off_by_strain_law(ask, beams)
     least = (
         min(float(blade.length) for blade in layout.blades)
         if ask.geometry.motion == "rotation"
@@ -203,24 +205,13 @@ def _path(ask: Ask, layout: Layout, travel: float) -> _Path:
     beams, (shells, coarser) = abs(float(shifts_of(plain, ask)[0])), each
     if not (beams and shells):
         raise NotAvailable("has no shift")
-    return _Path(beams, shells, coarser, _by_law(ask, layout, travel, plain))
+    return _Path(beams, shells, coarser, _stretched(plain))
 
 
-def _by_law(ask: Ask, layout: Layout, travel: float, plain: Equilibrium) -> float:
-    """Return what another law of finite strain may change in the shift of beams, relative.
-
-    Green's strain and that of engineers differ by ½ε²: a blade bent to ε at its faces differs in
-    length by ½ ∫ε² ds, alike ones alike.
-    """
-    E, most, longer = float(layout.E), 0.0, dict[str, float]()
-    for blade in layout.blades:
-        found = blade_stress(plain, blade.name)
-        most = max(most, float(np.abs(found.axial).max()) / E)
-        whole = np.trapezoid((found.bending[0] / E) ** 2, found.s[0])
-        longer[blade.name] = 0.5 * float(whole) / float(blade.length)
-    other = _beams(ask, replace(layout, blade_growth=longer), travel, Effects(shear=False))
-    shift, changed = (float(shifts_of(state, ask)[0]) for state in (plain, other))
-    return abs(changed / shift - 1.0) + OF_STRAIN * most
+def _stretched(plain: Equilibrium) -> float:
+    """Return the largest axial strain of beams."""
+    each = (blade_stress(plain, blade.name) for blade in plain.layout.blades)
+    return max(float(np.abs(found.axial).max()) for found in each) / float(plain.layout.E)
 
 
 def _beams(ask: Ask, layout: Layout, travel: float, effects: Effects) -> Equilibrium:

@@ -13,7 +13,6 @@ from flexcli.engine.solid.numbers import STRAIGHT, StressPlace
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import second_moment
-from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import free_compliance
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, MOVING, Critical
@@ -161,19 +160,6 @@ class ModelNumbers:
         if warm is not None:
             held = warm.held_across(layout_of(ask), ask.material, ask.geometry.axes)
         return DIGITS + strain + HELD_STRESS * held / strain
-
-    def law_in_shift(self, ask: Ask) -> float:
-        """Return what the law of finite strain of a solid may change in a shift, relative.
-
-        Between Green's strain and the beam's, a blade bent to ε at its faces differs in length by
-        ½ ∫ε² ds; no material states which law is its own.
-        """
-        state, E, found = self.exact.states(ask), ask.material.elastic.E, 0.0
-        for blade in state.layout.blades:
-            along = blade_stress(state, blade.name)
-            strain = along.bending[0] / E
-            found += 0.5 * float(np.trapezoid(strain**2, along.s[0]))
-        return PRINTED + found / abs(float(self.exact.parasitic_shift(ask)))
 
     def _stress_at(self, ask: Ask, place: StressPlace) -> float:
         names = [blade.name for blade in self.exact.states(ask).layout.blades]

@@ -303,6 +303,13 @@ class Bending(ABC):
     def extension(self) -> Changes:
         """Return the changes by the stretching of the blades."""
 
+    def strain_law(self, poisson_ratio: float) -> float | None:
+        """Return what the law of finite strain may change of the shift, relative.
+
+        None where there is no closed form.
+        """
+        return None
+
     @abstractmethod
     def stretched(self, n: float, direction: float | None) -> Changes:
         """Return the change of stress as an axial force N = n EI/l² stretches the blades.

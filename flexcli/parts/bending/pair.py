@@ -57,6 +57,14 @@ class Pair(Bending):
             found["stress"] = stress._replace(error=stress.error + turned)
         return found
 
+    def strain_law(self, poisson_ratio: float) -> float:
+        """Return what the law of finite strain may change of the shift, along the bisector."""
+        sizes = {"h": self.h, "l": self.blade["l"], "p": self.blade["p"]}
+        law = thick_blades.pivot_strain_law(**sizes, poisson_ratio=poisson_ratio)
+        across = self.extension()["shift"].value if self.theta else None
+        whole_of_it = 1.0 if across is None else 1.0 + larger(across, 0.0)
+        return abs(self._of_leading(number(law))) / whole_of_it
+
     def sheared_along(self, poisson_ratio: float) -> float:
         """Return the relative change of the shift along the bisector by shear."""
         Phi = shear_parameter(depth=self.h, l=self.blade["l"], poisson_ratio=poisson_ratio)

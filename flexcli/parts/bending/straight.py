@@ -54,6 +54,11 @@ class Straight(Bending):
             "shift": whole(value, 4.0 * value**2 + slender * self.ratio),
         }
 
+    def strain_law(self, poisson_ratio: float) -> float | None:
+        """Return what the law of finite strain may change of the shift."""
+        sizes = {"h": self.h, "l": self.halves * self.l}
+        return number(thick_blades.stage_strain_law(**sizes, poisson_ratio=poisson_ratio))
+
     def stretched(self, n: float, direction: float | None) -> Changes:
         """Return no change: the blades are parallel, and the body moves along them."""
         return {}
@@ -137,6 +142,9 @@ class Necked(Straight):
             "stress": whole(0.0, 2.0 * slender * self.ratio),
             "shift": whole(value, 4.0 * value**2 + slender * self.ratio),
         }
+
+    def strain_law(self, poisson_ratio: float) -> None:
+        """Return nothing: it has not been derived."""
 
     def rotation(self) -> Changes:
         """Return the next order in x/l of stress and shift; the one after it is the error."""

@@ -296,6 +296,8 @@ class JointModel(ABC):
     """Model of its blades at a stroke in space, for reports."""
     weighs_blades: ClassVar[bool] = False
     """Whether its stresses have what accelerated blades weigh, where their density is known."""
+    has_all_strain_laws: ClassVar[bool] = False
+    """Whether the error of its shift has what any law of finite strain may change."""
     at_rest: str = "linear blades between rigid clamps, assembled in space at rest"
     """Model of its blades at rest in space, for reports."""
     directs_blades: bool = True
