@@ -484,8 +484,9 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
             beside_plane = bool(ask.scene.across_by) and not (is_at_rest and kind in OF_PLANE)
             in_space = design.geometry.in_space or beside_plane
             doubted = partial(
-                ask.doubted, error, kind, in_space=in_space, is_directed=limit.is_directed
-            )
+                ask.doubted, error, kind, in_space=in_space, is_directed=limit.is_directed,
+                is_own=is_at_rest or kind is QuantityKind.STRESS,
+            )  # fmt: skip
             error = doubted()
             # plates of crystals take their time: where their bounds decide nobody needs them
             if is_at_rest and ask.material.planes and _is_open(limit._replace(error=error)):

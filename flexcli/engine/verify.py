@@ -324,4 +324,4 @@ def _doubted(comparison: Comparison, error: ErrorRange) -> ErrorRange | None:
         and joint_in_space(ask.geometry, ask.material, ask.sizes).is_directed
     )
     at_rest = comparison.kind is QuantityKind.STIFFNESS
-    return ask.doubted(error, comparison.kind, is_directed=directed, at_rest=at_rest)
+    return ask.doubted(error, comparison.kind, is_directed=directed, at_rest=at_rest, is_own=True)

@@ -175,6 +175,7 @@ class _Strip:
             np.broadcast_to(np.asarray(x, np.float64), designs)
             for x in (blade.least_thickness, blade.b, layout.E, layout.G)
         )
+        E, G = E * blade.stiffer, G * blade.stiffer
         chord = _vector(blade.end, designs) - _vector(blade.start, designs)
         l = np.linalg.norm(chord, axis=-1)
         grown = layout.blade_growth.get(blade.name, 0.0) * chord

@@ -44,6 +44,7 @@ class Blade:
     its shape raises the stress of a section over that of a beam: in bending, along the blade.
     ``crossed`` is the range of its stiffness over a beam's of a blade that is one piece with
     another where they cross, ``shared`` the length from its start and its end that both share [m].
+    ``stiffer`` are its moduli over those of its layout.
     """
 
     name: str
@@ -57,6 +58,7 @@ class Blade:
     peak: tuple[Number, Number] = (1.0, 1.0)
     crossed: tuple[Number, Number] = (1.0, 1.0)
     shared: tuple[Number, Number] = (0.0, 0.0)
+    stiffer: Number = 1.0
 
     @property
     def length(self) -> Number:
@@ -96,13 +98,14 @@ class Load(NamedTuple):
 class Layout:
     """Bodies that may move, blades of one material, supports and dead or following loads.
 
-    ``E`` and ``G`` [Pa] are the blades' (no G where the material gives none: then nothing that
-    shear takes part in can be asked); ``acceleration`` [m/s²] acts on every mass (gravity).
-    ``guides`` are bodies on ideal joints to the ground: which of (x, y, φ) of their reference
-    points cannot move in the plane. ``body_growth`` and ``blade_growth`` are the free strains that
-    a temperature gives bodies and blades by name [-]: a body grows about its reference point, the
-    ground about the origin, a blade along itself. ``prepared`` is what a solver keeps of a layout
-    for its next use; nothing of a layout may be written to.
+    ``E`` and ``G`` [Pa] are the blades', each of which may be so many times as stiff (no G where
+    the material gives none: then nothing that shear takes part in can be asked); ``acceleration``
+    [m/s²] acts on every mass (gravity). ``guides`` are bodies on ideal joints to the ground: which
+    of (x, y, φ) of their reference points cannot move in the plane. ``body_growth`` and
+    ``blade_growth`` are the free strains that a temperature gives bodies and blades by name [-]: a
+    body grows about its reference point, the ground about the origin, a blade along itself.
+    ``prepared`` is what a solver keeps of a layout for its next use; nothing of a layout may be
+    written to.
     """
 
     bodies: tuple[Body, ...]

@@ -132,7 +132,7 @@ def _rates(
 ) -> tuple[Floats, Floats]:
     """Return dx/du and dy/du of the bent axis [m]."""
     section, layout = section_forces(state, part, blade, segment, u), state.layout
-    area = section.b * section.h
+    area = section.b * section.h * pick(column(layout.blades[blade].stiffer), part.rows)[:, None]
     epsilon = gamma = np.zeros(u.shape)
     if state.effects.extension:
         epsilon = section.N / (pick(column(layout.E), part.rows)[:, None] * area)

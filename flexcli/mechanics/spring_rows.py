@@ -63,8 +63,8 @@ def _blade_rows(
         profile=blade.profile,
         l=l,
         b=blade.b,
-        E=layout.E,
-        G=layout.G,
+        E=layout.E * blade.stiffer,
+        G=None if layout.G is None else layout.G * blade.stiffer,
         shear_factor=shear_factor,
         warping=warping,
     )

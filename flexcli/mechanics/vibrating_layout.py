@@ -129,9 +129,13 @@ def _heavy(layout: Layout, density: float, *, thick: bool) -> list[HeavyBlade]:
     for blade in layout.blades:
         (x_1, y_1), (x_2, y_2) = blade.start, blade.end
         l, profile = hypot(x_2 - x_1, y_2 - y_1), blade.profile
-        key = (profile.h, l, blade.b) if isinstance(profile, Constant) else ()
+        stiffer = blade.stiffer
+        key = (profile.h, l, blade.b, stiffer) if isinstance(profile, Constant) else ()
         if key not in made or not key:
-            made[key] = heavy_blade(profile, E=layout.E, l=l, b=blade.b, density=density, G=G)
+            made[key] = heavy_blade(
+                profile, E=layout.E * stiffer, l=l, b=blade.b, density=density,
+                G=None if G is None else G * stiffer,
+            )  # fmt: skip
         found.append(made[key])
     return found
 

@@ -24,7 +24,7 @@ from flexcli.formulas.clamped_blade import NARROWER, Across
 from flexcli.formulas.directed_plates import is_compared
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceLayout, SpaceRod
-from flexcli.numerics.rows import Number, larger, of_each
+from flexcli.numerics.rows import Number, larger, number, of_each, one_by_one
 from flexcli.parts.base import Angle, Part, QuantityOf, Stress, spec_error
 from flexcli.parts.sourced import WithSource
 
@@ -38,6 +38,7 @@ __all__ = [
     "Orthotropic",
     "blades_of",
     "laid",
+    "laid_in_plane",
     "stiffness_in",
     "thickness_of",
 ]
@@ -143,7 +144,8 @@ class Blades(NamedTuple):
     """Common elastic constants of the blades of a joint.
 
     ``E`` [Pa] and ``nu`` stand for all; ``spread`` is the relative error of a stiffness with them,
-    ``sheared`` the further one of torsion and shear, ``uneven`` whether blades differ.
+    ``sheared`` the further one of torsion and shear, ``uneven`` the share of it by which blades
+    differ from each other, ``widened`` by how much else than others plates of one may widen.
     ``thick`` are further errors over (h/l)² and over h/l; ``skewed`` is by how much a shear stress
     stretches a blade, over what as much along it does. Where clamps keep blades from twisting they
     are as much as ``held`` stiffer, and their stress is as much as ``stressed`` higher [-].
@@ -155,7 +157,8 @@ class Blades(NamedTuple):
     nu: float
     spread: float
     sheared: float
-    uneven: bool
+    uneven: float
+    widened: float
     thick: tuple[float, float]
     skewed: float
     held: float
@@ -181,6 +184,8 @@ def blades_of(
     first = max(each, key=lambda strip: abs(strip.nu))
     wide = 1.0 / (1.0 - first.nu**2) - 1.0
     uneven = (max(moduli) - min(moduli)) / (2.0 * E)
+    uneven = uneven if uneven > ALIKE else 0.0
+    widens = [1.0 / (1.0 - strip.nu**2) for strip in each]
     rough = wide * max(plate_anisotropy(strip) for strip in each)
     sheared = max(abs(s.G_wide * 2.0 * (1.0 + first.nu) / E - 1.0) for s in each)
     squares, firsts = zip(*map(sheared_in_plane, each), strict=True)
@@ -189,12 +194,13 @@ def blades_of(
     held = max(s.held for s in each)
     stressed = max((1.0 + s.held) * sqrt(1.0 + 3.0 * s.sheared_held**2) for s in each) - 1.0
     planes = tuple[Floats, ...]()
-    if uneven <= ALIKE and all(map(is_compared, each)):
+    if all(map(is_compared, each)):
         C = sheet.stiffness()
         planes = tuple(in_plane_compliance(C, _axes(sheet, orientation, a)) for a in angles)
     return Blades(
-        E, first.nu, uneven + rough, sheared, uneven > ALIKE, thick, skewed, held, stressed, planes
-    )
+        E, first.nu, uneven + rough, sheared, uneven, max(widens) / min(widens) - 1.0,
+        thick, skewed, held, stressed, planes,
+    )  # fmt: skip
 
 
 def strip_of(
@@ -268,6 +274,29 @@ def laid(
             return layout
         found.append(replace(blade, material=material))
     return replace(layout, blades=tuple(found))
+
+
+def laid_in_plane(
+    layout: "Layout",
+    sheet: Crystal | Orthotropic,
+    orientation: Orientation | None,
+    turned: float,
+    E: float,
+) -> "Layout":
+    """Return a layout of a plane in which each blade is as stiff along itself as its direction.
+
+    ``turned`` is as in :func:`laid`, ``E`` the Young's modulus that stands for all [Pa].
+    """
+
+    def stiffer(angle: float) -> float:
+        return strip_of(sheet, orientation, angle).E / E
+
+    blades = []
+    for blade in layout.blades:
+        x, y = (end - start for start, end in zip(blade.start, blade.end, strict=True))
+        angle = number(np.arctan2(y, x)) - turned
+        blades.append(replace(blade, stiffer=one_by_one(stiffer, angle)))
+    return replace(layout, blades=tuple(blades))
 
 
 def _directed(

@@ -101,12 +101,13 @@ def bending_range(
     whole = number(solution.reactions[0, layout.index(MOVING), axis])
     if not solution.unique.all() or whole <= 0.0:
         return None
-    parts, E = list[_Part](), number(layout.E)
+    parts = list[_Part]()
     for strip, force in zip(layout.blades, solution.end_forces[0], strict=True):
         if not isinstance(strip.profile, Constant) or strip.crossed != (1.0, 1.0):
             return None
         x, y = (float(each) for each in np.subtract(strip.end, strip.start))
         h, l, b = number(strip.profile.h), float(np.hypot(x, y)), number(strip.b)
+        E = number(layout.E * strip.stiffer)
         if outside(COMPARED, {"h/l": h / l, "b/h": b / h, "b/l": b / l}):
             return None
         if (h, l, b) not in ranges:

@@ -157,10 +157,11 @@ class Material(Part):
     _thick: tuple[float, float] = PrivateAttr((0.0, 0.0))
     _stiffer: float = PrivateAttr(1.0)
     _differ: float = PrivateAttr(0.0)
-    _is_uneven: bool = PrivateAttr(False)
+    _uneven: float = PrivateAttr(0.0)
     _skewed: float = PrivateAttr(0.0)
     _held: float = PrivateAttr(0.0)
     _stressed: float = PrivateAttr(0.0)
+    _widened: float = PrivateAttr(0.0)
     _planes: "tuple[NDArray[np.float64], ...]" = PrivateAttr(())
 
     @classmethod
@@ -264,9 +265,10 @@ class Material(Part):
         )
         found._spread, found._sheared = blades.spread, blades.sheared
         found._rough = blades.spread
-        found._is_uneven = blades.uneven
+        found._uneven = blades.uneven
         found._thick, found._skewed = blades.thick, blades.skewed
         found._held, found._stressed = blades.held, blades.stressed
+        found._widened = blades.widened
         found._planes = blades.planes
         return found
 
@@ -285,6 +287,17 @@ class Material(Part):
         from flexcli.parts.anisotropic import laid
 
         return laid(layout, self.sheet, self.orientation, turned, self._stiffer)
+
+    def laid_in_plane(self, layout: "Layout", turned: float) -> "Layout":
+        """Return a layout of a plane, its blades as stiff as their directions where they differ.
+
+        ``turned`` is as in :meth:`laid`. At a temperature they are as :meth:`at` has them.
+        """
+        if self.sheet is None or not self.is_uneven:
+            return layout
+        from flexcli.parts.anisotropic import laid_in_plane
+
+        return laid_in_plane(layout, self.sheet, self.orientation, turned, self.E / self._stiffer)
 
     def stiffness_in(self, turned: float) -> "NDArray[np.float64] | None":
         """Return the stiffness (6, 6) in a layout so turned [Pa]; nothing where it is isotropic."""
@@ -322,29 +335,32 @@ class Material(Part):
         *,
         in_space: bool = False,
         is_directed: bool = False,
+        is_laid: bool = False,
         thick: Number = 0.0,
         bent: ErrorRange | None = None,
     ) -> ErrorRange | None:
         """Return an error of a number of a kind, widened by the uncertainty of the moduli.
 
-        A crystal's shear modulus is not that of its Young's modulus and Poisson's ratio, which
-        matters for torsion and shear, for all numbers ``in_space``; where ``is_directed``, number
-        and error include the direction. Blades that differ by their directions change a shift by an
-        unknown amount.
+        Where ``is_laid`` each blade has its own modulus in the model, and blades that differ leave
+        no more unsure than what plates make of that. A crystal's shear modulus is not that of its
+        Young's modulus and Poisson's ratio, which matters for torsion and shear, for all numbers
+        ``in_space``; where ``is_directed``, number and error include the direction. Blades that
+        differ by their directions change a shift by an unknown amount.
         Those that would twist as they bend, which their clamps may keep them from, are from as soft
         as their moduli say to as stiff as if they were held. ``thick`` is what
         :meth:`off_as_thick` tells, ``bent`` what plates of its planes tell instead, if they do.
         """
         if self.is_uneven and kind is QuantityKind.SHIFT:
             return None
-        off = thick + (self._spread - self._rough if is_directed else self._spread)
+        by_plates = self._rough + (self._widened - self._uneven if is_laid else 0.0)
+        off = thick + self._spread - self._rough + (0.0 if is_directed else by_plates)
         if kind is QuantityKind.SHIFT and not in_space:  # which has each blade's own modulus
             off -= self._differ
         if not is_directed and (in_space or kind in OUT_OF_PLANE):
             off += self._sheared
         own = ErrorRange(-off, off) + self._twisting(kind)
         if bent is not None:  # by plates, and no further than by bounds
-            off -= self._rough
+            off -= by_plates
             ends = larger(own.low, bent.low - off), smaller(own.high, bent.high + off)
             # of a plate that is isotropic both are as exact as fits are, and may miss each other
             own = ErrorRange(smaller(*ends), larger(*ends))
@@ -399,7 +415,7 @@ class Material(Part):
     @property
     def is_uneven(self) -> bool:
         """Return whether blades differ in stiffness from each other, by what ``spread`` says."""
-        return self._is_uneven
+        return self._uneven > 0.0
 
     @property
     def planes(self) -> "tuple[NDArray[np.float64], ...]":

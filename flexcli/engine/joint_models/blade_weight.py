@@ -42,7 +42,6 @@ class BladeWeights:
 
     def __init__(self, ask: Ask, density: Number) -> None:
         self.layout, self.x, self.y = fields(ask)
-        self.E = column(self.layout.E)[:, None]
         self.widens = ask.scene.bends
         self.blades = [held_blade(blade, density) for blade in self.layout.blades]
 
@@ -79,13 +78,14 @@ class BladeWeights:
         """
         blade, held = self.layout.blades[index], self.blades[index]
         b, bends, pulls = (column(value)[:, None] for value in (blade.b, *blade.peak))
-        curved = 2.0 * np.abs(bending) / (bends * self.E * held.thickness)
+        E = column(self.layout.E * blade.stiffer)[:, None]
+        curved = 2.0 * np.abs(bending) / (bends * E * held.thickness)
         slope = np.sum((curved[:, 1:] + curved[:, :-1]) / 2.0 * held.steps, axis=1)
         bodies = [body.name for body in self.layout.bodies]
         if blade.first in bodies:
             slope = slope + np.abs(motions[:, bodies.index(blade.first), 2])
         force = np.max(np.abs(axial) * b * held.thickness / pulls, axis=1)
-        share = force * held.softness / self.E[:, 0]
+        share = force * held.softness / E[:, 0]
         bent = np.where(share < 0.5, 2.0 * share / np.maximum(1.0 - share, 0.5), inf)
         tension = np.min(axial, axis=1) >= 0.0
         bent = np.where(tension, np.minimum(bent, 1.0), bent)

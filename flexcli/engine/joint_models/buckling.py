@@ -281,7 +281,8 @@ def _largest_forces(layout: Layout, found: LinearCritical) -> tuple[float, float
     for blade, tension in zip(layout.blades, found.tensions, strict=True):
         l = float(blade.length)
         _, h = blade_places(blade, l)
-        n = found.factor * float(tension) * l**2 * 12.0 / float(layout.E * blade.b * h.min() ** 3)
+        EI = float(layout.E * blade.stiffer * blade.b * h.min() ** 3) / 12.0
+        n = found.factor * float(tension) * l**2 / EI
         pulled, pushed = max(pulled, n), max(pushed, -n)
     return pulled, pushed
 
@@ -326,7 +327,7 @@ def _of_truss(scene: PushScene, held: Held) -> tuple[Floats, float]:
     for blade in layout.blades:
         along, h = (np.ravel(each) for each in blade_places(blade, float(blade.length)))
         softness = np.sum(np.diff(along) * (1.0 / h[1:] + 1.0 / h[:-1]) / 2.0)
-        stiffness.append(float(layout.E * blade.b / softness))
+        stiffness.append(float(layout.E * blade.stiffer * blade.b / softness))
         areas.append(float(blade.b * h.min()))
     k = np.array(stiffness)
     force = np.array([*load.force, 0.0], dtype=np.float64)[free]
@@ -358,7 +359,10 @@ def _strut(blade: Blade, layout: Layout) -> Layout:
     """Return one blade along x between two bodies that turn with its ends."""
     l = float(blade.length)
     bodies = (Body("base", (0.0, 0.0)), Body("body", (l, 0.0)))
-    strip = Blade(blade.name, "base", "body", (0.0, 0.0), (l, 0.0), blade.profile, blade.b)
+    strip = Blade(
+        blade.name, "base", "body", (0.0, 0.0), (l, 0.0), blade.profile, blade.b,
+        stiffer=blade.stiffer,
+    )  # fmt: skip
     return Layout(bodies, (strip,), layout.E, layout.G)
 
 

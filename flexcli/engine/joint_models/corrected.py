@@ -41,6 +41,7 @@ class Corrected(BuiltOn):
         self.name = name or inner.name
         self.at_stroke, self.at_rest = inner.at_stroke, inner.at_rest
         self.directs_blades = inner.directs_blades
+        self.directs_in_plane = inner.directs_in_plane
 
     def shares(self, other: JointModel) -> None:
         """Let the inner models share."""

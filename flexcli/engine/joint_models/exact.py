@@ -103,6 +103,7 @@ class ExactModel(JointModel):
     name = "exact"
     always = COVERAGE["exact"].always
     weighs_blades = True
+    directs_in_plane = True
 
     def __init__(
         self,

@@ -100,8 +100,9 @@ Solver = Callable[[Layout, Held, Sequence[Load]], Found]
 
 
 def layout_of(ask: Ask) -> Layout:
-    """Return the joint as bodies and blades."""
-    return ask.geometry.plane_layout(ask.material.elastic, ask.sizes)
+    """Return the joint as bodies and blades, each as stiff as its direction in a crystal."""
+    layout = ask.geometry.plane_layout(ask.material.elastic, ask.sizes)
+    return ask.material.laid_in_plane(layout, ask.geometry.drawn_turn)
 
 
 def blades_of(layout: Layout, effects: Effects) -> Effects:

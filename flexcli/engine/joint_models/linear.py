@@ -65,6 +65,7 @@ class LinearModel(JointModel):
     name = "linear"
     always = COVERAGE["linear"].always
     weighs_blades = True
+    directs_in_plane = True
 
     def __init__(self, effects: Effects | None = None) -> None:
         self.effects = Effects() if effects is None else effects
@@ -226,7 +227,8 @@ def _beyond_first_order(found: "_State") -> Number:
     for index, (blade, l) in enumerate(zip(layout.blades, lengths, strict=True)):
         axial, _ = forced_stress(blade, found.end_forces[:, index])
         _, h = blade_places(blade, blade.length)
-        n = 12.0 * np.abs(axial).max(axis=-1) * l**2 / (layout.E * np.min(h, axis=-1) ** 2)
+        E = layout.E * blade.stiffer
+        n = 12.0 * np.abs(axial).max(axis=-1) * l**2 / (E * np.min(h, axis=-1) ** 2)
         pushed = np.maximum(pushed, 4.0 * n / np.pi**2)
     with np.errstate(divide="ignore"):
         softer = np.where(pushed < KNOWN, 4.0 / np.pi * pushed / (1.0 - pushed), inf)

@@ -81,6 +81,7 @@ class OutOfPlane(BuiltOn):
         self.inner = inner
         self.name = inner.name
         self.directs_blades = inner.directs_blades
+        self.directs_in_plane = inner.directs_in_plane
         self._known: Remembered[_Parts] = Remembered()
         self._across: Remembered[AcrossStress] = Remembered()
         self._told_by_beams: Remembered[bool] = Remembered()

@@ -153,6 +153,8 @@ def check_thin(ask: Ask, layout: Layout) -> None:
     nu = ask.material.poisson_ratio
     if nu is None:
         raise NotAvailable("needs material.poisson_ratio for shells")
+    if ask.material.is_uneven:
+        raise NotAvailable("has blades that differ by their directions: take --model exact")
     if ask.geometry.joined_in or layout.guides or nu.value > MOST_POISSON:
         raise NotAvailable("has no such number by shells: take --model exact")
     for blade in layout.blades:

@@ -14,6 +14,7 @@ class SolidAtRest(ExactModel):
     """Exact beams, of which small motion from rest is a solid's."""
 
     name = "solid"
+    directs_in_plane = False
 
     def warm_shift(self, ask: Ask) -> WarmShift:
         """Refuse: solids are cold."""

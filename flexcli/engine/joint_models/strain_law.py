@@ -64,7 +64,8 @@ def off_by_strain_law(ask: Ask, shift: Number) -> Number:
     for index, blade in enumerate(layout.blades):
         bending = forced_stress(blade, bent.end_forces[:, index])[1]
         s, _ = blade_places(blade, blade.length)
-        squared = np.trapezoid((bending / np.reshape(layout.E, (-1, 1))) ** 2, s)
+        E = np.reshape(layout.E * blade.stiffer, (-1, 1))
+        squared = np.trapezoid((bending / E) ** 2, s)
         growth[blade.name] = laws * squared / blade.length
     layout = replace(layout, blade_growth=growth)
     grown = linearly(layout, {MOVING: geometry.held(0.0)}, effects=effects)

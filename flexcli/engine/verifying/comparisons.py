@@ -203,7 +203,7 @@ def _of_case(asked: CaseAsks, model: ModelNumbers, *, many: bool) -> Iterator[Co
             lambda solid: solid.stress(place()),
             f"stress-{scene.case}" if scene.is_loaded else f"stroke-{scene.case}",
             _stress_read(place), lambda: model.law_in_stress(flat), scene.case,
-            lambda: model.share_at(flat, place()),
+            lambda: model.share_at(flat, place()), kind=QuantityKind.STRESS,
         )  # fmt: skip
     if scene.forces and scene.ends is not None:
         cold = asked.cold

@@ -35,7 +35,7 @@ def from_plane(layout: Layout, moving: str, *, turns: bool, density: float = 0.0
 
     """
     assert layout.G is not None  # the caller has asked for it
-    material = Isotropic(float(layout.E), float(layout.G), density)
+    E, G = float(layout.E), float(layout.G)
     none = (0.0, 0.0, 0.0)
     bodies = tuple(
         SpaceBody(
@@ -57,7 +57,7 @@ def from_plane(layout: Layout, moving: str, *, turns: bool, density: float = 0.0
             (0.0, 0.0, 1.0),
             blade.profile,
             float(blade.b),
-            material,
+            Isotropic(E * float(blade.stiffer), G * float(blade.stiffer), density),
             blade.peak,
             crossed=(float(blade.crossed[0]), float(blade.crossed[1])),
             shared=(float(blade.shared[0]), float(blade.shared[1])),

@@ -41,6 +41,10 @@ __all__ = [
 ]
 
 
+LAID = (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.STRESS)
+"""What beams in the plane tell of blades each of which has its own modulus."""
+
+
 class Told(NamedTuple):
     """A number and its error, None where that is unknown."""
 
@@ -248,11 +252,15 @@ class Ask(NamedTuple):
         in_space: bool = False,
         is_directed: bool = False,
         at_rest: bool = False,
+        is_own: bool = False,
     ) -> ErrorRange | None:
         """Return an error of a number of a kind with what its material leaves unsure.
 
-        ``at_rest`` it is the stiffness of the joint's own small motion, or of that alone.
+        ``at_rest`` it is the stiffness of the joint's own small motion, or of that alone;
+        ``is_own`` it is the model's own number, and no other's.
         """
+        laid = is_own and kind in LAID and self.joint_model.directs_in_plane and not in_space
+        laid = laid and self.scene.temperature is None
         thick: Number = 0.0
         bent = None
         if self.material.is_directed and not self.geometry.in_space:
@@ -260,15 +268,18 @@ class Ask(NamedTuple):
             travel = larger(map(abs, self.scene.stroke_ends)) if self.scene.moves else 0.0
             turns = self.geometry.motion == "rotation"
             thick = self.material.off_as_thick(kind, layout, travel, turns=turns)
-            if at_rest and not in_space and self._bends_as_drawn:
+            as_one = laid or not self.material.is_uneven
+            if at_rest and not in_space and as_one and self._bends_as_drawn:
                 from flexcli.parts.directed_joint import bent_as_plates
 
+                layout = self.material.laid_in_plane(layout, self.geometry.drawn_turn)
                 bent = bent_as_plates(self.material, kind, layout, self.geometry.held(1.0))
             if bent is not None:
                 thick += UNSEEN * thick
         return self.material.doubted(
-            error, kind, in_space=in_space, is_directed=is_directed, thick=thick, bent=bent
-        )
+            error, kind, in_space=in_space, is_directed=is_directed, is_laid=laid, thick=thick,
+            bent=bent,
+        )  # fmt: skip
 
     @property
     def _bends_as_drawn(self) -> bool:
@@ -296,6 +307,8 @@ class JointModel(ABC):
     """Model of its blades at a stroke in space, for reports."""
     weighs_blades: ClassVar[bool] = False
     """Whether its stresses have what accelerated blades weigh, where their density is known."""
+    directs_in_plane: bool = False
+    """Whether each blade has the modulus of its own direction in the plane."""
     has_all_strain_laws: ClassVar[bool] = False
     """Whether the error of its shift has what any law of finite strain may change."""
     at_rest: str = "linear blades between rigid clamps, assembled in space at rest"
