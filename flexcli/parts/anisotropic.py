@@ -145,7 +145,7 @@ class Blades(NamedTuple):
 
     ``E`` [Pa] and ``nu`` stand for all; ``spread`` is the relative error of a stiffness with them,
     ``sheared`` the further one of torsion and shear, ``uneven`` the share of it by which blades
-    differ from each other, ``widened`` by how much else than others plates of one may widen.
+    differ from each other, ``least_nu`` the least Poisson's ratio of any beside ``nu``, the most.
     ``thick`` are further errors over (h/l)² and over h/l; ``skewed`` is by how much a shear stress
     stretches a blade, over what as much along it does. Where clamps keep blades from twisting they
     are as much as ``held`` stiffer, and their stress is as much as ``stressed`` higher [-].
@@ -158,7 +158,7 @@ class Blades(NamedTuple):
     spread: float
     sheared: float
     uneven: float
-    widened: float
+    least_nu: float
     thick: tuple[float, float]
     skewed: float
     held: float
@@ -185,7 +185,7 @@ def blades_of(
     wide = 1.0 / (1.0 - first.nu**2) - 1.0
     uneven = (max(moduli) - min(moduli)) / (2.0 * E)
     uneven = uneven if uneven > ALIKE else 0.0
-    widens = [1.0 / (1.0 - strip.nu**2) for strip in each]
+    least = min(each, key=lambda strip: abs(strip.nu))
     rough = wide * max(plate_anisotropy(strip) for strip in each)
     sheared = max(abs(s.G_wide * 2.0 * (1.0 + first.nu) / E - 1.0) for s in each)
     squares, firsts = zip(*map(sheared_in_plane, each), strict=True)
@@ -198,8 +198,8 @@ def blades_of(
         C = sheet.stiffness()
         planes = tuple(in_plane_compliance(C, _axes(sheet, orientation, a)) for a in angles)
     return Blades(
-        E, first.nu, uneven + rough, sheared, uneven, max(widens) / min(widens) - 1.0,
-        thick, skewed, held, stressed, planes,
+        E, first.nu, uneven + rough, sheared, uneven, least.nu, thick, skewed, held, stressed,
+        planes,
     )  # fmt: skip
 
 

@@ -161,7 +161,7 @@ class Material(Part):
     _skewed: float = PrivateAttr(0.0)
     _held: float = PrivateAttr(0.0)
     _stressed: float = PrivateAttr(0.0)
-    _widened: float = PrivateAttr(0.0)
+    _least_nu: float = PrivateAttr(0.0)
     _planes: "tuple[NDArray[np.float64], ...]" = PrivateAttr(())
 
     @classmethod
@@ -268,7 +268,7 @@ class Material(Part):
         found._uneven = blades.uneven
         found._thick, found._skewed = blades.thick, blades.skewed
         found._held, found._stressed = blades.held, blades.stressed
-        found._widened = blades.widened
+        found._least_nu = blades.least_nu
         found._planes = blades.planes
         return found
 
@@ -335,14 +335,14 @@ class Material(Part):
         *,
         in_space: bool = False,
         is_directed: bool = False,
-        is_laid: bool = False,
+        laid: Number | None = None,
         thick: Number = 0.0,
         bent: ErrorRange | None = None,
     ) -> ErrorRange | None:
         """Return an error of a number of a kind, widened by the uncertainty of the moduli.
 
-        Where ``is_laid`` each blade has its own modulus in the model, and blades that differ leave
-        no more unsure than what plates make of that. A crystal's shear modulus is not that of its
+        Where each blade has its own modulus in the model, those that differ leave no more unsure
+        than ``laid``, what their plates make of it. A crystal's shear modulus is not that of its
         Young's modulus and Poisson's ratio, which matters for torsion and shear, for all numbers
         ``in_space``; where ``is_directed``, number and error include the direction. Blades that
         differ by their directions change a shift by an unknown amount.
@@ -352,7 +352,7 @@ class Material(Part):
         """
         if self.is_uneven and kind is QuantityKind.SHIFT:
             return None
-        by_plates = self._rough + (self._widened - self._uneven if is_laid else 0.0)
+        by_plates = self._rough + (0.0 if laid is None else laid - self._uneven)
         off = thick + self._spread - self._rough + (0.0 if is_directed else by_plates)
         if kind is QuantityKind.SHIFT and not in_space:  # which has each blade's own modulus
             off -= self._differ
@@ -411,6 +411,12 @@ class Material(Part):
         from flexcli.formulas.anisotropy import stiffest
 
         return self._stiffer * stiffest(self.sheet.stiffness())
+
+    @property
+    def poisson_ratios(self) -> tuple[float, float]:
+        """Return the least and the most of the ratios of its plates, by directions of blades."""
+        least, most = sorted((abs(self._least_nu), abs(self.elastic.most_nu)))
+        return (least, most) if self.is_uneven else (most, most)
 
     @property
     def is_uneven(self) -> bool:

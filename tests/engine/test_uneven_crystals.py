@@ -37,6 +37,14 @@ def test_a_stiffness_near_its_limit_is_decided_as_solids_have_it(of):
     assert "undecided" in {verdict(of["spec"], least, "closed-form") for least in sides}
 
 
+def test_loads_of_a_case_leave_the_stiffness_at_rest_as_sure():
+    of = next(each for each in SOLIDS if each["spec"]["geometry"]["kind"] == "cross-spring")
+    spec = {**of["spec"], "cases": {"work": {"wrench": {"x": "1 mN"}, "ends": "clamped-free"}}}
+    solid, _ = of["k_pivot"]
+    assert verdict(spec, solid * (1.0 - NEAR)) == "pass"
+    assert verdict(spec, solid * (1.0 + NEAR)) == "fail"
+
+
 @pytest.mark.parametrize("of", SOLIDS, ids=lambda of: of["spec"]["geometry"]["kind"])
 def test_stresses_of_solids_are_within_the_range(of):
     solid, error = of["sigma"]

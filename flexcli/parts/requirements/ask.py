@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.buckling import johnson_stress
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import Number, larger
+from flexcli.numerics.rows import Number, larger, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
@@ -259,8 +259,8 @@ class Ask(NamedTuple):
         ``at_rest`` it is the stiffness of the joint's own small motion, or of that alone;
         ``is_own`` it is the model's own number, and no other's.
         """
-        laid = is_own and kind in LAID and self.joint_model.directs_in_plane and not in_space
-        laid = laid and self.scene.temperature is None
+        is_laid = is_own and kind in LAID and self.joint_model.directs_in_plane and not in_space
+        is_laid = is_laid and self.material.is_uneven and self.scene.temperature is None
         thick: Number = 0.0
         bent = None
         if self.material.is_directed and not self.geometry.in_space:
@@ -268,7 +268,7 @@ class Ask(NamedTuple):
             travel = larger(map(abs, self.scene.stroke_ends)) if self.scene.moves else 0.0
             turns = self.geometry.motion == "rotation"
             thick = self.material.off_as_thick(kind, layout, travel, turns=turns)
-            as_one = laid or not self.material.is_uneven
+            as_one = is_laid or not self.material.is_uneven
             if at_rest and not in_space and as_one and self._bends_as_drawn:
                 from flexcli.parts.directed_joint import bent_as_plates
 
@@ -277,18 +277,33 @@ class Ask(NamedTuple):
             if bent is not None:
                 thick += UNSEEN * thick
         return self.material.doubted(
-            error, kind, in_space=in_space, is_directed=is_directed, is_laid=laid, thick=thick,
-            bent=bent,
+            error, kind, in_space=in_space, is_directed=is_directed,
+            laid=self._plates_apart if is_laid else None, thick=thick, bent=bent,
         )  # fmt: skip
 
     @property
-    def _bends_as_drawn(self) -> bool:
-        """Return whether nothing but its blades between rigid clamps bends, unloaded and unheated.
+    def _plates_apart(self) -> Number:
+        """Return by how much plates of one direction are stiffer than those of another, relative.
 
-        What strains a joint changes its stiffness as much however stiff its blades are.
+        All count as those of the largest Poisson's ratio.
         """
-        scene = self.scene
-        plain = not scene.is_loaded and scene.temperature is None
+        least, most = self.material.poisson_ratios
+        each = [self.geometry.wide_blades(self.sizes, nu) for nu in (least, most)]
+        found: Number = (1.0 - least**2) / (1.0 - most**2) - 1.0
+        if None not in each:
+            less, more = (wide for wide in each if wide is not None)
+            pairs = (more.stiffness, less.stiffness), (more.stress, less.stress)
+            found = smaller(found, larger(high.value / low.value - 1.0 for high, low in pairs))
+        return found
+
+    @property
+    def _bends_as_drawn(self) -> bool:
+        """Return whether nothing but its blades between rigid clamps bends, unheated.
+
+        What heat strains changes a stiffness as much however stiff the blades are; at rest there
+        are no loads.
+        """
+        plain = self.scene.temperature is None
         return plain and not self.clamp_softening and not self.geometry.has_fillets
 
 
