@@ -170,10 +170,11 @@ def acting_together(
 ) -> Iterator[SpaceState]:
     """Yield the linear states of a joint as it has grown, under loads in each of their senses.
 
-    ``locked`` says whether the drive holds it against what it has grown by.
+    ``locked`` says whether the drive holds it against what it has grown by. A temperature may
+    leave all of it without strain.
     """
     states = [action(joint.assembly, each) for each in acting]
-    heat = [warmed(joint.assembly, locked=locked)] if joint.layout.grows else []
+    heat = [warmed(joint.assembly, locked=locked)] if joint.layout.grows or not acting else []
     for signs in senses:
         yield combined([*states, *heat], [*signs, *(1.0 for _ in heat)])
 

@@ -157,3 +157,14 @@ def test_blades_on_hinges_are_no_clamped_ones_beside_a_temperature():
     assert alone.verdict.value == "fail"
     assert warm.verdict.value == "undecided"
     assert "hinges" in warm.quantity
+
+
+def test_a_gradient_that_strains_no_blade_changes_nothing_of_what_a_load_buckles():
+    """Both blades cross in their middles, about which it is: each grows by nothing."""
+    cross = {"kind": "cross-spring", "h": "0.05 mm", "l": "20 mm", "b": "0.2 mm", "delta": -0.5,
+             "half_angle": "45 deg"}  # fmt: skip
+    force, asked = {"load": {"force": "0.05 N"}, "ends": "clamped-free"}, {"buckling": 1.5}
+    cold = checked(cross, asked, **force)["buckling"]
+    warm = checked(cross, asked, **force, temperature={"gradient": {"x": "100 K/m"}})["buckling"]
+    (low, high), (least, most) = cold.factor_range, warm.factor_range
+    assert max(low, least) <= min(high, most)
