@@ -150,8 +150,8 @@ def _of_many(limit: Limit) -> _OfMany:
     found = plain if limit.tolerance is None else _factors(limit)
     least = most = np.full(found.shape, np.nan)
     with np.errstate(divide="ignore", invalid="ignore"):
-        if limit.error is not None:
-            low, high = (np.maximum(1.0 + np.asarray(error), 0.0) for error in limit.error)
+        if limit.known is not None:
+            low, high = (np.maximum(1.0 + np.asarray(error), 0.0) for error in limit.known)
             one, other = plain * low, plain * high
             if not limit.in_capacity:
                 one, other = (np.where(e > 0.0, plain / e, np.inf) for e in (high, low))
@@ -161,7 +161,7 @@ def _of_many(limit: Limit) -> _OfMany:
                 beyond = np.where((least <= 1.0) & (most >= 1.0), 1.0, np.maximum(*inside))
                 most = np.where(least <= 0.0, np.clip(most, 0.0, 1.0), beyond)
                 least = np.where(least <= 0.0, 0.0, np.minimum(*inside))
-    enough, is_known = asked * (1.0 - ROUNDING), limit.error is not None
+    enough, is_known = asked * (1.0 - ROUNDING), limit.known is not None
     rank = np.where(most >= enough, Verdict.UNDECIDED.rank, Verdict.FAIL.rank)
     rank = np.where(least >= enough, Verdict.PASS.rank, rank)
     return _OfMany(
@@ -178,15 +178,15 @@ def _of_many(limit: Limit) -> _OfMany:
 
 def span(limit: Limit) -> tuple[float, float] | None:
     """Return between which factors a limit lies by the error of its number, if that is known."""
-    if limit.error is None:
+    if limit.known is None:
         return None
-    if any(map(is_of_many, (limit.demand, limit.capacity, *limit.error))):
+    if any(map(is_of_many, (limit.demand, limit.capacity, *limit.known))):
         many = _of_many(limit)
         return Rows.of(many.least), Rows.of(many.most)
     demand, capacity = float(limit.demand), float(limit.capacity)
     plain = limit._replace(tolerance=None)
     found = factor(plain, demand, capacity)
-    low, high = (max(1.0 + error, 0.0) for error in limit.error)
+    low, high = (max(1.0 + error, 0.0) for error in limit.known)
     if limit.in_capacity:
         ends = sorted((found * low, found * high))
     else:

@@ -19,7 +19,7 @@ from flexcli.numerics.rows import one_alone
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import ANY, Buckled, NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
-from flexcli.parts.requirements import Ask, Limit, Requirement, RequirementError
+from flexcli.parts.requirements import Ask, ErrorOf, Limit, Requirement, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import (
@@ -427,7 +427,7 @@ def limits_by(
     for limit in found:
         # no demand has no range of its own: others of its check tell it
         told = isfinite(_factor(limit)) or limit.name not in finite
-        error = _with_whole(limit, whole.get(limit.name)) if told else limit.error
+        error = _with_whole(limit, whole.get(limit.name)) if told else limit.known
         yield limit._replace(error=error)
 
 
@@ -440,7 +440,7 @@ def _with_whole(limit: Limit, whole: tuple[float, float] | None) -> ErrorRange |
     """Return the error of a limit by which its factor reaches to those of the whole design."""
     own, found = assess.span(limit._replace(tolerance=None)), _factor(limit)
     if own == whole:
-        return limit.error
+        return limit.known
     if own is None or whole is None:
         return None
     low, high = min(own[0], whole[0]), max(own[1], whole[1])
@@ -471,12 +471,13 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
     """Yield limits, each with the error of its number, and of the material's."""
     errors: dict[QuantityKind, ErrorRange | None] = {}
     for limit in limits:
-        kind, error = limit.kind, limit.error
+        kind, error = limit.kind, limit.known
         if kind is None:
             yield limit
             continue
-        is_at_rest = error is None  # the joint's own number: what is at a stroke brings its error
-        if error is None:
+        # the joint's own number: what is at a stroke brings its error
+        is_at_rest = limit.error is ErrorOf.MODEL
+        if is_at_rest:
             if kind not in errors:  # one for all places of a stress
                 errors[kind] = ask.joint_model.error(ask, kind)
             error = errors[kind]

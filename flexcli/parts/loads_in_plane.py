@@ -16,17 +16,18 @@ __all__ = ["accelerated", "loads_in_plane", "senses_in_plane"]
 Floats = NDArray[np.float64]
 
 
-def senses_in_plane(scene: Scene) -> Floats:
+def senses_in_plane(scene: Scene, *, as_stated: bool = False) -> Floats:
     """Return the signs (combinations, groups) of what is stated and of each acceleration.
 
-    A load that states its direction has no other; a wrench acts either way.
+    A load that states its direction has no other; a wrench acts either way, but ``as_stated`` in
+    what it buckles.
     """
     fields = ((0.0, 0.0, 0.0), *scene.accelerations)
     acts = [
         any(wrench[i] for i in IN_PLANE) or any(field[:2])
         for wrench, field in zip((scene.stated, *scene.inertial), fields, strict=True)
     ]
-    acts[0] = acts[0] and not scene.has_one_sense
+    acts[0] = acts[0] and not (scene.directed if as_stated else scene.has_one_sense)
     return np.array(list(product(*((1.0, -1.0) if on else (1.0,) for on in acts))))
 
 

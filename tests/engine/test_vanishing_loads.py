@@ -94,3 +94,47 @@ def test_the_mean_of_a_stroke_counts_wide_blades_beside_a_moment_along_it():
     alone, both = yields(), yields(wrench={"theta_z": "1e-15 N*m"})
     for name, check in alone.items():
         assert both[name].factor_range[0] <= check.factor_range[0] * (1.0 + 1e-3)
+
+
+CROSSED = {"kind": "star", "h": "0.066 mm", "l": "1.5 mm", "b": "4.5 mm", "p": "-1.25 mm",
+           "angles": ["25 deg", "273 deg"]}  # fmt: skip
+
+
+def test_what_nobody_knows_is_not_as_sure_as_its_model():
+    """Limbs of no stated mass weigh an unknown amount: it was told within 2 % what buckles them."""
+    case = {"acceleration": {"level": "1 g", "axis": "y"}, "ends": "clamped-guided"}
+    unknown = judged(HINGED, {"buckling": {"factor": 2}}, case)
+    assert (unknown.verdict.value, unknown.factor_range) == ("undecided", None)
+    limb = {"mass": "2 g", "inertia": "2e-7 kg*m^2"}
+    known = judged({**HINGED, "limb": limb}, {"buckling": {"factor": 2}}, case)
+    assert known.factor_range[0] > 0.9 * known.factor
+
+
+BLADE = {"kind": "moment-blade", "h": "0.75 mm", "l": "7 mm", "b": "21 mm"}
+
+
+@pytest.mark.parametrize(("force", "verdict"), [(0.85, "pass"), (-0.85, "fail")])
+def test_a_wrench_buckles_as_it_is_stated_beside_a_temperature_too(force, verdict):
+    """Pulled it bears 230 times as much, pushed 180: it leans away, past no critical point."""
+    case = {"wrench": {"x": f"{force} N"}, "ends": "clamped-pinned"}
+    asked = {"buckling": {"factor": 190}}
+    alone, both = (judged(CROSSED, asked, {**case, **more}) for more in ({}, TEMPERATURE))
+    assert (alone.verdict.value, both.verdict.value) == (verdict, verdict)
+
+
+@pytest.mark.parametrize("asked", [100, 170, 240, 280, 450])
+def test_no_share_passes_what_a_force_alone_fails(asked):
+    case = {"wrench": {"x": "-0.85 N"}, "ends": "clamped-pinned"}
+    needs = {"buckling": {"factor": asked}}
+    alone, both = (judged(CROSSED, needs, {**case, **more}) for more in ({}, TEMPERATURE))
+    assert {alone.verdict.value, both.verdict.value} != {"pass", "fail"}
+
+
+def test_a_force_across_a_blade_alone_pushes_it_by_no_more_than_what_is_along_it():
+    """What holds its end bears the rest: 8 kN across, 12 N along, of which it yields at 13.9 kN."""
+    case = {"wrench": {"y": "8000 N", "x": "-12 N"}, "ends": "clamped-clamped"}
+    check = judged(BLADE, {"buckling": {"factor": 2}}, case)
+    assert check.verdict.value == "pass"
+    along = judged(BLADE, {"buckling": {"factor": 2}}, {**case, "wrench": {"x": "-8000 N"}})
+    assert along.verdict.value == "fail"
+    assert 1.6 < along.factor < 880e6 * 0.75e-3 * 21e-3 / 8000.0

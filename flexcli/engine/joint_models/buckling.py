@@ -138,13 +138,16 @@ def warm_shares(
     """Yield the shares of temperature and loads together at which a joint buckles, in the plane.
 
     They are those of rest and both ends of its stroke, which a drive keeps by an effort, and of
-    each sense that the loads may have; what the ends of the case hold is held.
+    each sense that the loads may have; what the ends of the case hold is held. A joint that leans
+    from the first on passes no critical point where it would buckle else: the share may be as
+    little as that of straight blades.
     """
     if hold_of(ask.scene).hinged:
         raise NotAvailable("has no critical share beside a temperature of blades on hinges")
     wide, spoken = sum(critical_unsure(ask)), ask.scene.keeps
     for layout, held, driven, loads in paths(ask):
         most, blades = ask.most_share, blades_of(layout, effects)
+        straight = _from_rest(layout, held, loads, blades)
         try:
             found = critical_load(
                 layout, held, loads, most=most, driven=driven,
@@ -155,12 +158,28 @@ def warm_shares(
                 raise NotAvailable(f"has no exact critical load: {error}") from error
             kept = {**held, **driven}
             pushed = _compression_under(layout.grown(most), kept, loads, most, blades, levels)
-            known = ErrorRange(-wide, inf) if pushed is not None and isfinite(wide) else None
-            yield CriticalShare(most, f"{spoken}: none up to that", known, pushed or 0.0)
+            low = min(1.0, straight.factor / most) * (1.0 - wide)
+            known = ErrorRange(low - 1.0, inf) if pushed is not None and isfinite(wide) else None
+            stress = max(pushed or 0.0, straight.stress * most)
+            yield CriticalShare(most, f"{spoken}: none up to that", known, stress)
             continue
         off = wide + found.estimated_error
-        known = ErrorRange(-off, off) if isfinite(off) else None
-        yield CriticalShare(found.factor, spoken, known, _compression(found.state))
+        low = min(1.0, straight.factor / found.factor) * (1.0 - off)
+        known = ErrorRange(low - 1.0, off) if isfinite(off) else None
+        stress = max(_compression(found.state), straight.stress * found.factor)
+        yield CriticalShare(found.factor, spoken, known, stress)
+
+
+def _from_rest(
+    layout: Layout, held: Held, loads: Sequence[Load], effects: Effects
+) -> LinearCritical:
+    """Return what share of loads and growth buckles blades that stay straight, at rest."""
+    (body, motion), *_ = held.items()
+    x, y, phi = (None if each is None else 0.0 for each in motion)
+    try:
+        return linear_critical(layout, {body: (x, y, phi)}, loads, effects=effects)
+    except SolveError as error:
+        raise NotAvailable(f"has no critical share of straight blades: {error}") from error
 
 
 def critical_unsure(ask: Ask) -> tuple[float, float]:

@@ -162,7 +162,7 @@ def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floa
 def paths(ask: Ask) -> Iterator[tuple[Layout, Held, Held, list[Load]]]:
     """Yield layout, what is held and what a drive keeps, and loads that grow with a temperature.
 
-    That is at rest and at both ends of a stroke; loads have each sense they may have.
+    That is at rest and at both ends of a stroke; loads have each sense in which they buckle it.
     """
     one_alone()
     scene, geometry = ask.scene, ask.geometry
@@ -174,7 +174,7 @@ def paths(ask: Ask) -> Iterator[tuple[Layout, Held, Held, list[Load]]]:
         if scene.moves:
             kept = held_by_stroke(scene, geometry, travel)
             held = undriven(scene, geometry, travel)
-        for signs in senses_in_plane(scene):
+        for signs in senses_in_plane(scene, as_stated=True):
             loads = [
                 load._replace(
                     force=(float(load.force[0][0]), float(load.force[1][0])),

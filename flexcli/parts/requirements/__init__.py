@@ -30,7 +30,7 @@ from flexcli.parts.requirements.ask import (
     Told,
     WideFactor,
 )
-from flexcli.parts.requirements.base import Bound, Limit, Requirement, limit_of
+from flexcli.parts.requirements.base import Bound, ErrorOf, Limit, Requirement, limit_of
 from flexcli.parts.requirements.closed_form import CLOSED_FORM
 
 __all__ = [
@@ -43,6 +43,7 @@ __all__ = [
     "CriticalShare",
     "DriveEffort",
     "EndStress",
+    "ErrorOf",
     "JointModel",
     "Limit",
     "MisfitStress",

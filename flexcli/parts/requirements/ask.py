@@ -184,7 +184,8 @@ class CriticalShare(NamedTuple):
     """The share of the loads of a case that buckles a mechanism [-], and how it is held.
 
     ``error`` is relative; its high end is infinite where nothing buckles up to that share.
-    ``stress`` is the largest compression of a blade, force over area, at that share [Pa].
+    ``stress`` is the largest force along a blade over its area at that share [Pa], that pushes it;
+    in the plane one that pulls it straight counts as well, for what it bears ends at its strength.
     """
 
     share: float

@@ -2,6 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator
+from enum import Enum
 from typing import Any, ClassVar, Literal, NamedTuple
 
 from pydantic import model_validator
@@ -17,6 +18,7 @@ __all__ = [
     "HELD_ACROSS",
     "Bound",
     "BoundAtStroke",
+    "ErrorOf",
     "FactorRequirement",
     "Limit",
     "Requirement",
@@ -28,6 +30,12 @@ HELD_ACROSS = "held across"
 """Variant of a stress at clamps that keep blades from growing across."""
 
 
+class ErrorOf(Enum):
+    """Whose error a number has that brings none of its own."""
+
+    MODEL = "model"
+
+
 class Limit(NamedTuple):
     """``required · demand ≤ capacity``, or ``demand = capacity`` within a tolerance.
 
@@ -37,9 +45,10 @@ class Limit(NamedTuple):
     limits that a balanced design makes active together, in each ``joint`` that has sizes of its
     own; ``driver`` names what the demand grows with. ``kind`` is the kind of number that models
     compute, and ``in_capacity`` says that it is the capacity; ``error`` is the error of that
-    number, None where it is unknown, and ``is_directed`` says that it includes the direction of
-    blades in a crystal or a sheet. ``strengths`` are those of the material that it is compared
-    with. ``path`` is where the spec asks for it, where no requirement does.
+    number, None where it is unknown, its model's where it brings none, and ``is_directed`` says
+    that it includes the direction of blades in a crystal or a sheet. ``strengths`` are those of the
+    material that it is compared with. ``path`` is where the spec asks for it, where no requirement
+    does.
     """
 
     requirement: str
@@ -58,10 +67,15 @@ class Limit(NamedTuple):
     tolerance: float | None = None
     kind: QuantityKind | None = None
     in_capacity: bool = False
-    error: ErrorRange | None = None
+    error: ErrorRange | ErrorOf | None = ErrorOf.MODEL
     is_directed: bool = False
     strengths: tuple[str, ...] = ()
     path: tuple[str | int, ...] = ()
+
+    @property
+    def known(self) -> ErrorRange | None:
+        """Return its error as far as it is known without asking its model."""
+        return self.error if isinstance(self.error, ErrorRange) else None
 
     @property
     def is_bound(self) -> bool:
@@ -241,7 +255,7 @@ class Bound(Requirement):
         source: str,
         power: int = 1,
         kind: QuantityKind | None = None,
-        error: ErrorRange | None = None,
+        error: ErrorRange | ErrorOf | None = ErrorOf.MODEL,
     ) -> Iterator[Limit]:
         """Yield a limit for each bound on a value given raised to ``power``."""
 

@@ -117,8 +117,11 @@ def across_width(ask: Ask) -> Iterator[Critical]:
     scene, elastic = ask.scene, ask.material.elastic
     assert scene.ends is not None  # the requirement asks for them
     blade, single = ask.geometry.blade(ask.sizes), ask.geometry.held_by_one_blade
-    pushed = any(cos(_facing(ask, push)) < 0.0 for push in scene.pushes())
-    if blade is None or (single and not pushed):
+    share = scene.axial_share
+    if single:  # a blade alone bears no more of a force than what is along it
+        along = (-cos(_facing(ask, push)) * push.force for push in scene.pushes())
+        share = min(share, max(along, default=0.0) / scene.force)
+    if blade is None or share <= 0.0:
         return
     sure = single or not scene.directed
     found = ask.geometry.critical(elastic, ask.sizes, scene.ends)
@@ -132,8 +135,8 @@ def across_width(ask: Ask) -> Iterator[Critical]:
         alone = single or ENDS[scene.ends].hinged
         stiffer = 1.0 if alone else (EFFECTIVE_LENGTH[scene.ends] / STIFFEST) ** 2
         flat = _flatness(h, l, b, elastic.most_nu, scene.ends if alone else None)
-        stress = scene.axial_share / (h * b)
-        force = critical.force / scene.axial_share
+        stress = share / (h * b)
+        force = critical.force / share
         least, most = ask.geometry.crossed(ask.sizes)
         low = least * (1.0 - softer) / (1.0 + ask.clamp_softening) - 1.0
         error = ErrorRange(low, most * stiffer * flat - 1.0 if sure else inf)

@@ -8,7 +8,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import is_of_many, larger, number, smaller
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError, Swing
-from flexcli.parts.requirements.base import FactorRequirement, Limit
+from flexcli.parts.requirements.base import ErrorOf, FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -99,11 +99,11 @@ class Fatigue(FactorRequirement):
 
     def _error(
         self, stress: EndStress, ask: Ask, strength: float, method: str, demand: Computed
-    ) -> ErrorRange | None:
+    ) -> ErrorRange | ErrorOf:
         """Return the error of a formula's demand where a directed force may compress its blades.
 
         Formulas take every axial stress as tension; compression does not add to the mean. Elsewhere
-        None: the error is that of the stress.
+        the error is that of the stress.
         """
         axial = stress.axial
         plain = all(isinstance(x, float) or is_of_many(x) for x in (axial, demand))
@@ -114,12 +114,12 @@ class Fatigue(FactorRequirement):
         if of_swing is not None:
             return of_swing
         if not (ask.scene.directed and plain):
-            return None
+            return ErrorOf.MODEL
         if stress.is_at_face or axial <= 0.0 or demand <= 0.0:
-            return None
+            return ErrorOf.MODEL
         known = ask.joint_model.error(ask, QuantityKind.STRESS)
         if known is None:
-            return None
+            return ErrorOf.MODEL
         pushed = stress._replace(axial=-axial, is_at_face=True)
         least, power = self._equivalent(pushed, ask, strength, method)
         return known + ErrorRange(smaller(_share(least, demand, power) - 1.0, 0.0), 0.0)

@@ -12,7 +12,7 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.ask import Ask, RequirementError
-from flexcli.parts.requirements.base import Bound, Limit
+from flexcli.parts.requirements.base import Bound, ErrorOf, Limit
 from flexcli.parts.requirements.support import CENTRE
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange, QuantityKind
@@ -82,13 +82,13 @@ class Sag(Bound):
                 error=error,
             )
 
-    def _at_rest(self, ask: Ask) -> tuple[tuple[Computed, ErrorRange | None], ...]:
+    def _at_rest(self, ask: Ask) -> tuple[tuple[Computed, ErrorRange | ErrorOf | None], ...]:
         try:
             return ask.joint_model.sags(ask)
         except Buckled:
             raise
         except NotAvailable:
-            return ((ask.joint_model.sag(ask), None),)
+            return ((ask.joint_model.sag(ask), ErrorOf.MODEL),)
 
     def _at_stroke(self, ask: Ask) -> tuple[tuple[Computed, ErrorRange | None], ...]:
         """Return the sags at both ends of the stroke, as what weighs there deflects the joint.
