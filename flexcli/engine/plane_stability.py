@@ -44,8 +44,8 @@ class PlaneStability:
     sizes: Sizes
     models: tuple[NamedModel, ...]
     seconds: dict[str, float]
-    _bounds: dict[tuple[str, bool], Number] = field(default_factory=dict)
-    _shares: dict[tuple[str, bool, float], CriticalShare | None] = field(default_factory=dict)
+    _bounds: dict[tuple[str, bool, bool], Number] = field(default_factory=dict)
+    _shares: dict[tuple[str, bool, bool, float], CriticalShare | None] = field(default_factory=dict)
 
     def judged(
         self, requirement: Requirement, scene: Scene, checks: tuple[Check, ...]
@@ -105,6 +105,8 @@ class PlaneStability:
         as_printed = self.models[-1].name == "source"
         if not loaded or not (pushed or stressed) or told or as_printed:
             return None
+        if not stressed and not requirement.is_of_buckling:
+            scene = scene.in_plane()  # what leaves it has no part in other numbers of the plane
         try:
             return self.design.ask(scene, self.sizes, self.models[0].joint_model)
         except SolveError:
@@ -114,7 +116,7 @@ class PlaneStability:
         """Return a factor on loads up to which they surely buckle nothing out of the plane."""
         from flexcli.engine.lateral_factor import lateral_factor
 
-        key = ask.scene.case, requirement.is_of_buckling
+        key = ask.scene.case, requirement.is_of_buckling, bool(ask.scene.across_by)
         if key not in self._bounds:
             self._bounds[key] = lateral_factor(ask, as_stated=requirement.is_of_buckling)
         return self._bounds[key]
@@ -126,12 +128,12 @@ class PlaneStability:
         from flexcli.engine.lateral_factor import is_held_by_blades
 
         started, as_stated = perf_counter(), requirement.is_of_buckling
-        key = ask.scene.case, as_stated, _share_asked(requirement)
+        key = ask.scene.case, as_stated, bool(ask.scene.across_by), _share_asked(requirement)
         if key not in self._shares:
             bound = float(self._bound(requirement, ask))
             found: CriticalShare | None = CriticalShare(bound, ask.scene.hold, None, 0.0)
             if is_held_by_blades(ask):
-                found = out_of_plane_share(ask, bound, key[2], buckling=as_stated)
+                found = out_of_plane_share(ask, bound, key[-1], buckling=as_stated)
             self._shares[key] = None if found is None else found.borne(ask.material)
             took = perf_counter() - started
             self.seconds[self._model] = self.seconds.get(self._model, 0.0) + took

@@ -168,3 +168,13 @@ def test_a_gradient_that_strains_no_blade_changes_nothing_of_what_a_load_buckles
     warm = checked(cross, asked, **force, temperature={"gradient": {"x": "100 K/m"}})["buckling"]
     (low, high), (least, most) = cold.factor_range, warm.factor_range
     assert max(low, least) <= min(high, most)
+
+
+def test_a_load_across_spares_no_shift_of_a_joint_that_a_temperature_buckles_aside():
+    heat, asked = cold(5.0), {"parasitic_shift": {"max": "1 m"}}
+    stroke = {"stroke": {"translation": "1 um"}}
+    for wrench in ({}, {"wrench": {"z": "1e-12 N"}}):
+        check = checked(bridge(0.2, 0.1), asked, **heat, **stroke, **wrench)[
+            "parasitic shift (max)"
+        ]
+        assert check.verdict.value == "fail"

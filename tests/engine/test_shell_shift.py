@@ -158,3 +158,10 @@ def test_a_joint_of_blades_side_by_side_is_held_upright():
     least, most = only(spec, "exact").factor_range
     assert low < most
     assert least < high
+
+
+def test_exact_beams_tell_a_shift_that_cancels_no_surer_than_rounding():
+    spec = folded(h="0.094 mm", b="0.26 mm")
+    slight = {"work": {"stroke": {"translation": "20 um"}}}
+    low, high = only({**spec, "cases": slight}, "exact").factor_range
+    assert high / low > 1.1

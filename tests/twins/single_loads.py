@@ -54,4 +54,4 @@ def bending(geometry, strength):
         found = (each[name] for each in (sizes, geometry) for name in names if name in each)
         return float(str(next(found, "0.05 m")).split()[0])
 
-    return strength * size("b") * size("h", "e") ** 2 / 6.0, size("l", "r")
+    return strength * size("b", "d") * size("h", "e", "d") ** 2 / 6.0, size("l", "r")

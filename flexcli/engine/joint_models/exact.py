@@ -74,7 +74,7 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
     from flexcli.parts.space_joint import Form
 
-__all__ = ["ExactModel", "alone", "driven_stiffness", "hanging", "shifts_of"]
+__all__ = ["DIGITS", "ExactModel", "alone", "driven_stiffness", "hanging", "lost", "shifts_of"]
 
 Floats = NDArray[np.float64]
 
@@ -85,6 +85,9 @@ SAMPLED = 1e-6
 
 ALIKE = 1e-9
 """Relative difference of the shifts of both ends that counts as none."""
+
+DIGITS = 1e-13
+"""Of a travel, what rounding leaves of a shift."""
 
 FIRST_ORDER = 2e-3
 """Of a sag: what its size may change so that nothing else is asked."""
@@ -358,7 +361,8 @@ class ExactModel(JointModel):
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
         if ask.scene.temperature is None:
             ask = alone(ask)
-            return _worst_shift(self.states(ask), ask)
+            shift, error = _worst_shift(self.states(ask), ask)
+            return shift, error + DIGITS * lost(ask, shift)
         shift, least, most = combined(self.warm_shift(ask))
         return shift, max(1.0 - least / abs(shift), most / abs(shift) - 1.0) if shift else inf
 
@@ -488,6 +492,21 @@ def alone(ask: Ask) -> Ask:
     if not scene.is_loaded and not hold_of(scene).turn:
         return ask
     return ask._replace(scene=scene.without_loads()._replace(ends=None, lock=None))
+
+
+def lost(ask: Ask, shift: Number) -> Number:
+    """Return how many times as large as a shift the travel is that makes it.
+
+    A turn counts as what it moves on the shortest blade. Where blades cancel, so many digits of the
+    travel are none of the shift's.
+    """
+    if shift == 0.0:
+        return 0.0
+    travel = larger(map(abs, ask.scene.stroke_ends))
+    if ask.geometry.motion == "rotation":
+        layout = ask.geometry.blades_layout(ask.material.elastic, ask.sizes)
+        travel *= min(float(np.min(blade.length)) for blade in layout.blades)
+    return travel / abs(shift)
 
 
 def hanging(ask: Ask) -> "Form":

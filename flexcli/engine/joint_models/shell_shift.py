@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from flexcli.engine.joint_models.exact import shifts_of
+from flexcli.engine.joint_models.exact import DIGITS, lost, shifts_of
 from flexcli.engine.joint_models.joint_states import solved
 from flexcli.engine.joint_models.space_errors import STOUTEST
 from flexcli.engine.joint_models.strain_law import off_by_strain_law
@@ -49,8 +49,8 @@ clamps, others were not held against solids."""
 ROUNDING = 1e-9
 """Of a size at the very end of its range."""
 
-DIGITS, LEAST = 1e-13, 1e-11
-"""Of a travel, what rounding leaves of a shift, and below which there is none to be told."""
+LEAST = 1e-11
+"""Of a travel, below which rounding leaves of a shift none to be told."""
 
 OF_STRAIN = 4.0
 """Times the largest axial strain: shells have Green's, beams that of engineers, and no material
@@ -124,15 +124,10 @@ def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[floa
     error = abs(wide.coarser / wide.shells - 1.0) + apart / widened
     error += OF_SHEAR * sheared + OF_PLATES * abs(widened - 1.0)
     error += OF_STRAIN * wide.stretched + off_by_strain_law(ask, beams)
-    least = (
-        min(float(blade.length) for blade in layout.blades)
-        if ask.geometry.motion == "rotation"
-        else 1.0
-    )
-    lost = abs(travel) * least / abs(beams)
-    if lost * LEAST > 1.0:
+    digits = lost(ask, beams)
+    if digits * LEAST > 1.0:
         raise NotAvailable("has a shift that is lost in rounding")
-    error += DIGITS * lost
+    error += DIGITS * digits
     return beams * widened, error + FLOOR
 
 
