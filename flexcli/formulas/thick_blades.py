@@ -392,7 +392,7 @@ def pivot_strain_law(*, h: Quantity, l: Quantity, p: Quantity, poisson_ratio: Qu
 
     References
     ----------
-    As :func:`stage_strain_law`.
+    Derived, see the module; as for stages.
 
     """
     gamma = 1.0 + 2.0 * p / l
