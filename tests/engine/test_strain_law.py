@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
+import yaml
 from scipy.optimize import root
 from shell_shifts import asked as case_of
+from twins.campaign import scene
 
+import flexcli
 from flexcli.engine.joint_models.corrections import setting_of
 from flexcli.engine.joint_models.crossed_states import solid_of
 from flexcli.engine.joint_models.exact import ExactModel
@@ -106,3 +109,12 @@ def test_the_closed_form_of_slender_blades_is_that_of_their_beams(geometry):
     shift = ExactModel().parasitic_shift(ask)
     told = setting_of(ask).bending.strain_law(0.3)
     assert off_by_strain_law(ask, shift) == pytest.approx(told, rel=0.03)
+
+
+def test_a_linkage_with_ideal_joints_has_a_known_shift():
+    drawn = scene(3820004, ("linkage",))
+    asked_of = {"parasitic_shift": drawn.easy["parasitic_shift"]}
+    checks = flexcli.verdicts(yaml.safe_dump({**drawn.spec, "requirements": asked_of})).checks
+    shifts = [check for check in checks if check.name.startswith("parasitic shift")]
+    assert shifts
+    assert all(check.factor_range is not None for check in shifts)

@@ -22,6 +22,7 @@ from flexcli.engine.joint_models.joint_states import (
     at_rest,
     blades_of,
     exactly,
+    layout_of,
     solved,
     warmed,
 )
@@ -504,8 +505,7 @@ def lost(ask: Ask, shift: Number) -> Number:
         return 0.0
     travel = larger(map(abs, ask.scene.stroke_ends))
     if ask.geometry.motion == "rotation":
-        layout = ask.geometry.blades_layout(ask.material.elastic, ask.sizes)
-        travel *= min(float(np.min(blade.length)) for blade in layout.blades)
+        travel *= min(float(np.min(blade.length)) for blade in layout_of(ask).blades)
     return travel / abs(shift)
 
 

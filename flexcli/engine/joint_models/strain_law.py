@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.blade_weight import forced_stress
 from flexcli.engine.joint_models.exact import shifts_of
-from flexcli.engine.joint_models.joint_states import linearly
+from flexcli.engine.joint_models.joint_states import layout_of, linearly
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import blade_places
@@ -58,7 +58,9 @@ def off_by_strain_law(ask: Ask, shift: Number) -> Number:
 
     """
     geometry, travel = ask.geometry, larger(map(abs, ask.scene.stroke_ends))
-    layout, effects = geometry.blades_layout(ask.material.elastic, ask.sizes), Effects()
+    apart = not geometry.layout_lacks  # ideal joints are in what is drawn alone
+    layout = layout_of(ask) if apart else geometry.blades_layout(ask.material.elastic, ask.sizes)
+    effects = Effects()
     bent = linearly(layout, {MOVING: geometry.held(travel)}, effects=effects)
     laws, growth = (1.0 + ask.material.elastic.most_nu) / 2.0, dict[str, Floats]()
     for index, blade in enumerate(layout.blades):
