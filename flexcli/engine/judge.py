@@ -486,7 +486,7 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
             in_space = design.geometry.in_space or beside_plane
             doubted = partial(
                 ask.doubted, error, kind, in_space=in_space, is_directed=limit.is_directed,
-                is_own=is_at_rest or kind is QuantityKind.STRESS,
+                is_own=is_at_rest,
             )  # fmt: skip
             error = doubted()
             # plates of crystals take their time: where their bounds decide nobody needs them

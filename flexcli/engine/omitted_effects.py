@@ -100,9 +100,8 @@ def errors_of(
     asks, found = design.asks(sizes, joint_model), dict[str, float]()
     for kind in dict.fromkeys(value.kind for value in values.values() if value.kind is not None):
         each = [joint_model.error(ask, kind) for ask in asks]
-        is_own = at_rest or kind is QuantityKind.STRESS
         known = [
-            None if error is None else ask.doubted(error, kind, at_rest=at_rest, is_own=is_own)
+            None if error is None else ask.doubted(error, kind, at_rest=at_rest, is_own=at_rest)
             for ask, error in zip(asks, each, strict=True)
         ]
         if None not in known:

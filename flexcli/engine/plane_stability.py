@@ -128,12 +128,13 @@ class PlaneStability:
         from flexcli.engine.lateral_factor import is_held_by_blades
 
         started, as_stated = perf_counter(), requirement.is_of_buckling
-        key = ask.scene.case, as_stated, bool(ask.scene.across_by), _share_asked(requirement)
+        asked = _share_asked(requirement)
+        key = ask.scene.case, as_stated, bool(ask.scene.across_by), asked
         if key not in self._shares:
             bound = float(self._bound(requirement, ask))
             found: CriticalShare | None = CriticalShare(bound, ask.scene.hold, None, 0.0)
             if is_held_by_blades(ask):
-                found = out_of_plane_share(ask, bound, key[-1], buckling=as_stated)
+                found = out_of_plane_share(ask, bound, asked, buckling=as_stated)
             self._shares[key] = None if found is None else found.borne(ask.material)
             took = perf_counter() - started
             self.seconds[self._model] = self.seconds.get(self._model, 0.0) + took

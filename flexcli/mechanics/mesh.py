@@ -162,7 +162,8 @@ def meshes(layout: Layout, effects: Effects, nodes: int) -> tuple[Mesh, ...]:
         rigidities.append(_rigidity(pieces[i], along))
         kinds.setdefault(tuple(s.nodes for s in pieces[i]), []).append(i)
     thinnest, flexible = (table([each[k] for each in rigidities]) for k in (0, 1))
-    b, stiffer = (table([getattr(x, of) for x in layout.blades]) for of in ("b", "stiffer"))
+    b = table([blade.b for blade in layout.blades])
+    stiffer = table([blade.stiffer for blade in layout.blades])
     EI = column(layout.E)[:, None] * stiffer * b * thinnest**3 / 12.0 / flexible
     units = np.broadcast_arrays(l, EI, b, thinnest, flexible)
     return tuple(

@@ -9,12 +9,12 @@ from flexcli.mechanics.element import turned
 from flexcli.mechanics.layout import Layout, Point
 from flexcli.mechanics.mesh import column
 
-__all__ = ["Moved", "point_motion"]
+__all__ = ["MovedLayout", "point_motion"]
 
 Floats = NDArray[np.float64]
 
 
-class Moved(Protocol):
+class MovedLayout(Protocol):
     """Designs whose bodies have moved, in equilibrium or by small motion."""
 
     @property
@@ -26,14 +26,14 @@ class Moved(Protocol):
         """Return the motions (designs, bodies, 3) of the bodies' points [m, m, rad]."""
 
 
-def point_motion(state: Moved, body: str, point: Point) -> Floats:
+def point_motion(state: MovedLayout, body: str, point: Point) -> Floats:
     """Return how far a point of a body has moved.
 
     ``u_P = u + (R(φ) − 1) a`` with the arm a from the reference point at rest.
 
     Parameters
     ----------
-    state : Moved
+    state : MovedLayout
         The designs.
     body : str
         Name of the body.

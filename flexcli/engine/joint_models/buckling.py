@@ -158,26 +158,23 @@ def warm_shares(
                 raise NotAvailable(f"has no exact critical load: {error}") from error
             kept = {**held, **driven}
             pushed = _compression_under(layout.grown(most), kept, loads, most, blades, levels)
-            low = min(1.0, straight.factor / most) * (1.0 - wide)
-            known = ErrorRange(low - 1.0, inf) if pushed is not None and isfinite(wide) else None
-            stress = max(pushed or 0.0, straight.stress * most)
-            yield CriticalShare(most, f"{spoken}: none up to that", known, stress)
-            continue
-        off = wide + found.estimated_error
-        low = min(1.0, straight.factor / found.factor) * (1.0 - off)
-        known = ErrorRange(low - 1.0, off) if isfinite(off) else None
-        stress = max(_compression(found.state), straight.stress * found.factor)
-        yield CriticalShare(found.factor, spoken, known, stress)
+            share, said, off, high = most, f"{spoken}: none up to that", wide, inf
+        else:
+            pushed = _compression(found.state)
+            share, said, off = found.factor, spoken, wide + found.estimated_error
+            high = off
+        low = min(1.0, straight.factor / share) * (1.0 - off)
+        known = ErrorRange(low - 1.0, high) if pushed is not None and isfinite(off) else None
+        yield CriticalShare(share, said, known, max(pushed or 0.0, straight.stress * share))
 
 
 def _from_rest(
     layout: Layout, held: Held, loads: Sequence[Load], effects: Effects
 ) -> LinearCritical:
     """Return what share of loads and growth buckles blades that stay straight, at rest."""
-    (body, motion), *_ = held.items()
-    x, y, phi = (None if each is None else 0.0 for each in motion)
+    x, y, phi = (None if each is None else 0.0 for each in held[MOVING])
     try:
-        return linear_critical(layout, {body: (x, y, phi)}, loads, effects=effects)
+        return linear_critical(layout, {MOVING: (x, y, phi)}, loads, effects=effects)
     except SolveError as error:
         raise NotAvailable(f"has no critical share of straight blades: {error}") from error
 

@@ -38,7 +38,7 @@ from flexcli.mechanics.equilibrium import LEVELS
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import POINTS
-from flexcli.mechanics.points import Moved, point_motion
+from flexcli.mechanics.points import MovedLayout, point_motion
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import BladeStress, beside_beam, blade_stress
 from flexcli.mechanics.tangent import held_stiffness
@@ -537,13 +537,13 @@ def _of_worst(shifts: Floats, worst: NDArray[np.intp]) -> float:
     return of_each(np.atleast_1d(np.take_along_axis(shifts, worst, axis=0)[0]))
 
 
-def shifts_of(state: Moved, ask: Ask) -> Floats:
+def shifts_of(state: MovedLayout, ask: Ask) -> Floats:
     """Return the shift of a pivot's centre, or a stage's point along its blades (states,) [m]."""
     x, y = _moved_off(state, ask).T
     return np.asarray(np.copysign(np.hypot(x, y), x))
 
 
-def _moved_off(state: Moved, ask: Ask) -> Floats:
+def _moved_off(state: MovedLayout, ask: Ask) -> Floats:
     """Return how far a pivot's centre is off, of a stage along its blades, towards −x, −y [m]."""
     if ask.geometry.motion == "translation":
         moved = -point_motion(state, MOVING, state.layout.body(MOVING).point)

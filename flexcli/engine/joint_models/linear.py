@@ -33,7 +33,7 @@ from flexcli.results import EXACT, ErrorRange, QuantityKind
 if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
-__all__ = ["LinearModel"]
+__all__ = ["LinearModel", "LinearState"]
 
 Floats = NDArray[np.float64]
 
@@ -57,6 +57,14 @@ changes as the slope of what is of third order does, so many times as much."""
 
 ROUNDING = 1e-10
 """Least error that a linear solution is taken to have [-]."""
+
+
+class LinearState(NamedTuple):
+    """The layout that was asked, as it stood, with motions and the forces on its blades' ends."""
+
+    layout: Layout
+    motions: Floats
+    end_forces: Floats
 
 
 class LinearModel(JointModel):
@@ -183,12 +191,12 @@ class LinearModel(JointModel):
             found_off = found_off + times * _beyond_first_order(found)
         return stresses, found_off
 
-    def _solved(self, layout: Layout, held: Held, loads: Sequence[Load], nodes: int) -> "_State":
+    def _solved(self, layout: Layout, held: Held, loads: Sequence[Load], nodes: int) -> LinearState:
         found = linearly(layout, held, loads, effects=self.effects, nodes=nodes)
-        return _State(layout, found.motions, found.end_forces)
+        return LinearState(layout, found.motions, found.end_forces)
 
 
-def _by_stretching(found: "_State") -> Number:
+def _by_stretching(found: LinearState) -> Number:
     """Return what stretching changes of the stress of a blade whose end is held along it.
 
     By w/h, its end's motion across it over its thickness: the stretch w²/2l² pulls the blade,
@@ -213,7 +221,7 @@ def _by_stretching(found: "_State") -> Number:
     return change if change < KNOWN else inf
 
 
-def _beyond_first_order(found: "_State") -> Number:
+def _beyond_first_order(found: LinearState) -> Number:
     """Return what rotations and axial forces change of the stress of a linear state, relative.
 
     An axial force N raises the moment at the root of a blade with a free end by 1/cos √n − 1 at
@@ -234,14 +242,6 @@ def _beyond_first_order(found: "_State") -> Number:
         softer = np.where(pushed < KNOWN, 4.0 / np.pi * pushed / (1.0 - pushed), inf)
     change = largest_of_each(states_of((TURNS * turned**2 + softer)[:, None]))
     return change if change < KNOWN else inf
-
-
-class _State(NamedTuple):
-    """The layout that was asked, as it stood, with motions and the forces on its blades' ends."""
-
-    layout: Layout
-    motions: Floats
-    end_forces: Floats
 
 
 def _refuse_temperature(ask: Ask) -> None:

@@ -1,7 +1,6 @@
 """What the law of finite strain, which no material states, may change in a parasitic shift."""
 
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +8,7 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.blade_weight import forced_stress
 from flexcli.engine.joint_models.exact import shifts_of
 from flexcli.engine.joint_models.joint_states import layout_of, linearly
-from flexcli.mechanics.layout import Layout
+from flexcli.engine.joint_models.linear import LinearState
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import blade_places
 from flexcli.numerics.rows import Number, larger, of_each
@@ -19,13 +18,6 @@ from flexcli.parts.requirements import Ask
 __all__ = ["off_by_strain_law"]
 
 Floats = NDArray[np.float64]
-
-
-class _Grown(NamedTuple):
-    """A joint whose blades have grown, and the motions of its bodies."""
-
-    layout: Layout
-    motions: Floats
 
 
 def off_by_strain_law(ask: Ask, shift: Number) -> Number:
@@ -58,9 +50,11 @@ def off_by_strain_law(ask: Ask, shift: Number) -> Number:
 
     """
     geometry, travel = ask.geometry, larger(map(abs, ask.scene.stroke_ends))
-    apart = not geometry.layout_lacks  # ideal joints are in what is drawn alone
-    layout = layout_of(ask) if apart else geometry.blades_layout(ask.material.elastic, ask.sizes)
     effects = Effects()
+    if geometry.layout_lacks:
+        layout = geometry.blades_layout(ask.material.elastic, ask.sizes)
+    else:
+        layout = layout_of(ask)
     bent = linearly(layout, {MOVING: geometry.held(travel)}, effects=effects)
     laws, growth = (1.0 + ask.material.elastic.most_nu) / 2.0, dict[str, Floats]()
     for index, blade in enumerate(layout.blades):
@@ -71,4 +65,5 @@ def off_by_strain_law(ask: Ask, shift: Number) -> Number:
         growth[blade.name] = laws * squared / blade.length
     layout = replace(layout, blade_growth=growth)
     grown = linearly(layout, {MOVING: geometry.held(0.0)}, effects=effects)
-    return of_each(np.abs(shifts_of(_Grown(layout, grown.motions), ask))) / abs(shift)
+    state = LinearState(layout, grown.motions, grown.end_forces)
+    return of_each(np.abs(shifts_of(state, ask))) / abs(shift)

@@ -260,7 +260,8 @@ class Ask(NamedTuple):
         ``at_rest`` it is the stiffness of the joint's own small motion, or of that alone;
         ``is_own`` it is the model's own number, and no other's.
         """
-        is_laid = is_own and kind in LAID and self.joint_model.directs_in_plane and not in_space
+        is_beams = is_own or kind is QuantityKind.STRESS  # which no other model has
+        is_laid = is_beams and kind in LAID and self.joint_model.directs_in_plane and not in_space
         is_laid = is_laid and self.material.is_uneven and self.scene.temperature is None
         thick: Number = 0.0
         bent = None
@@ -289,10 +290,9 @@ class Ask(NamedTuple):
         All count as those of the largest Poisson's ratio.
         """
         least, most = self.material.poisson_ratios
-        each = [self.geometry.wide_blades(self.sizes, nu) for nu in (least, most)]
+        less, more = (self.geometry.wide_blades(self.sizes, nu) for nu in (least, most))
         found: Number = (1.0 - least**2) / (1.0 - most**2) - 1.0
-        if None not in each:
-            less, more = (wide for wide in each if wide is not None)
+        if less is not None and more is not None:
             pairs = (more.stiffness, less.stiffness), (more.stress, less.stress)
             found = smaller(found, larger(high.value / low.value - 1.0 for high, low in pairs))
         return found
